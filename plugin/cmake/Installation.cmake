@@ -1,0 +1,39 @@
+# Installs a tree that can be moved: headers, libraries, find_package(polhode CONFIG) and pkg-config files.
+
+include(CMakePackageConfigHelpers)
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/polhode)
+
+# Each library is an export set of its own, so that a user who lacks one of the two Bullets gets the rest.
+foreach(component IN ITEMS core bullet bullet_float64)
+  if(NOT TARGET polhode_${component})
+    continue()
+  endif()
+  # While the major version is 0, a new minor version may break its users.
+  set_target_properties(polhode_${component} PROPERTIES
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  if(NOT APPLE)
+    set_target_properties(polhode_${component} PROPERTIES INSTALL_RPATH "$ORIGIN")
+  endif()
+  install(TARGETS polhode_${component} EXPORT polhode-${component})
+  install(EXPORT polhode-${component} NAMESPACE polhode:: DESTINATION ${package_dir})
+endforeach()
+
+install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/polhodeConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES cmake/polhodeConfig.cmake cmake/PolhodeBullet.cmake
+  ${CMAKE_CURRENT_BINARY_DIR}/polhodeConfigVersion.cmake DESTINATION ${package_dir})
+
+# A pkg-config file names Bullet's; where the build's Bullet has none, it would find another one, or nothing.
+function(polhode_install_pkg_config name library precision bits bullet_module)
+  if(NOT TARGET PkgConfig::POLHODE_PKG_BULLET_FLOAT${bits})
+    return()
+  endif()
+  file(RELATIVE_PATH to_prefix /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+  string(REGEX REPLACE "/$" "" to_prefix ${to_prefix})
+  configure_file(cmake/polhode.pc.in ${name}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+polhode_install_pkg_config(polhode bullet single 32 bullet)
+polhode_install_pkg_config(polhode-float64 bullet_float64 double 64 bullet-float64)

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string_view>
+
+#include "polhode/rotation_state.h"
+
+namespace polhode {
+
+/// How well a scheme keeps a quantity of free motion.
+enum class Conservation {
+  exact,    ///< to rounding, for ever
+  bounded,  ///< the error oscillates and does not grow with time
+  lost,     ///< the error grows with time
+};
+
+std::string_view to_string(Conservation conservation);
+
+/// What a scheme says of itself. Tests hold every line of it against measurements.
+struct SchemeDescription {
+  std::string_view name;                     ///< as in `set_scheme("name")`, whole words in snake_case
+  std::string_view summary;                  ///< one line
+  std::string_view source;                   ///< paper or text, with equation numbers
+  std::string_view fails_when;               ///< one line
+  int order = 1;                             ///< order of convergence of the orientation in dt
+  Conservation energy = Conservation::lost;  ///< rotational kinetic energy
+  Conservation angular_momentum = Conservation::lost;  ///< the vector L_W
+  Conservation rotation = Conservation::exact;         ///< R_WB stays a rotation: det R_WB = 1
+};
+
+/// What one step is told, besides the state at its start.
+struct StepInput {
+  Vector3 inertia_B;      ///< principal moments, kg m^2, each > 0; need not obey the triangle inequality
+  Vector3 delta_omega_W;  ///< what the solver changed in this step (torques, contacts, joints), rad/s
+  double dt;              ///< length of the step, s
+  double turn_dt;         ///< the part of dt that the orientation moves through, s: less than dt only where
+                          ///< continuous collision detection stopped the body within the step
+};
+
+/// A way to rotate a body. Stateless: a step depends on its arguments alone, so one object serves any number
+/// of bodies, worlds and threads. Applications derive their own and attach it like a built-in one.
+class RotationScheme {
+ public:
+  RotationScheme() = default;
+  RotationScheme(const RotationScheme&) = delete;
+  RotationScheme& operator=(const RotationScheme&) = delete;
+  virtual ~RotationScheme() = default;
+
+  virtual SchemeDescription description() const noexcept = 0;
+
+  /// Advances `state` by one step. On entry it is the state at the start of the step, before the solver's
+  /// change; on return its members agree as RotationState says. May produce non-finite values: the caller
+  /// then keeps the last finite state and reports the body as diverged.
+  virtual void step(const StepInput& input, RotationState& state) const noexcept = 0;
+};
+
+}  // namespace polhode

@@ -1,0 +1,25 @@
+#include "bullet/bullet_replay.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+BulletReplay::BulletReplay() : body_(btScalar(1.0), nullptr, nullptr, btVector3(1.0, 1.0, 1.0)) {}
+
+btMatrix3x3 BulletReplay::turned(const btMatrix3x3& basis, const btVector3& omega_W, btScalar dt) {
+  body_.setWorldTransform(btTransform(basis));
+  body_.setAngularVelocity(omega_W);
+  btTransform result;
+  body_.predictIntegratedTransform(dt, result);
+  return result.getBasis();
+}
+
+btVector3 BulletReplay::damped(const btVector3& omega_W, btScalar angular_damping, btScalar dt) {
+  if (angular_damping == btScalar(0.0)) return omega_W;
+  body_.setDamping(btScalar(0.0), angular_damping);
+  body_.setAngularVelocity(omega_W);
+  body_.applyDamping(dt);
+  return body_.getAngularVelocity();
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

@@ -1,0 +1,48 @@
+// matrix: the rotation matrix itself is integrated, and swells.
+//
+//   I_t^-1 = R_t I_B^-1 R_t^T            (problem 1, step 1)
+//   omega_{t+1} = I_t^-1 l_{t+1}         (step 2, Omega by eq. 2)
+//   R_{t+1} = R_t + dt Omega_{t+1} R_t   (step 3)
+//
+// Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 1.
+// Order: 1. Conserves: L_W exactly; energy not; det R not: each step multiplies it by 1 + |omega|^2 dt^2.
+// Fails when: always, in the end. R leaves SO(3) from the first step on, and once R R^T is far from the
+// identity rounding tips omega off L and the motion blows up.
+//
+// The velocity left behind is I_{t+1}^-1 l, the one the next step turns with, so that omega and L agree
+// between steps and a kick of either means the same.
+#include "schemes/scheme_definition.h"
+
+namespace polhode::schemes {
+
+namespace {
+
+// The rotation that q_WB reports for a matrix that is none: its columns made orthonormal one after the other.
+Quaternion nearby_rotation(const Matrix3& R) {
+  Matrix3 rotation;
+  rotation.col(0) = R.col(0).normalized();
+  rotation.col(2) = rotation.col(0).cross(R.col(1)).normalized();
+  rotation.col(1) = rotation.col(2).cross(rotation.col(0));
+  return Quaternion(rotation).normalized();
+}
+
+void step(const StepInput& input, RotationState& state) noexcept {
+  const Vector3 L_W = state.L_W + angular_momentum_W(state.R_WB, input.inertia_B, input.delta_omega_W);
+  const Vector3 omega_W = inverse_inertia_W(state.R_WB, input.inertia_B) * L_W;
+  state.R_WB += input.turn_dt * skew(omega_W) * state.R_WB;
+  state.q_WB = nearby_rotation(state.R_WB);
+  set_angular_momentum(state, input.inertia_B, L_W);
+}
+
+}  // namespace
+
+const RotationScheme& matrix() {
+  static const SchemeDefinition scheme(
+      {"matrix", "Euler step of the rotation matrix, which swells", "handout eq. 1-2, problem 1",
+       "always in the end: det R grows by 1 + |omega|^2 dt^2 a step", 1, Conservation::lost,
+       Conservation::exact, Conservation::lost},
+      step);
+  return scheme;
+}
+
+}  // namespace polhode::schemes

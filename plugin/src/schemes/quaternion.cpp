@@ -1,0 +1,35 @@
+// quaternion: as `matrix`, with a unit quaternion for the matrix.
+//
+//   omega_{t+1} = I_t^-1 l_{t+1},  I_t^-1 = R(q_t) I_B^-1 R(q_t)^T
+//   q* = q_t + (dt/2) [0, omega_{t+1}] q_t,   q_{t+1} = q*/|q*|   (eq. 3)
+//
+// Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 2.
+// Order: 1. Conserves: L_W exactly; energy not (it drifts towards an extreme that |L| allows); det R exactly.
+// Fails when: |omega| dt is not small: a step turns by 2 atan(|omega| dt / 2), never more than half a turn.
+//
+// The velocity left behind is I_{t+1}^-1 l, as in `matrix`.
+#include "schemes/scheme_definition.h"
+
+namespace polhode::schemes {
+
+namespace {
+
+void step(const StepInput& input, RotationState& state) noexcept {
+  const Vector3 L_W = state.L_W + angular_momentum_W(state.R_WB, input.inertia_B, input.delta_omega_W);
+  const Vector3 omega_W = inverse_inertia_W(state.R_WB, input.inertia_B) * L_W;
+  set_orientation(state, turn_by_euler(state.q_WB, omega_W, input.turn_dt));
+  set_angular_momentum(state, input.inertia_B, L_W);
+}
+
+}  // namespace
+
+const RotationScheme& quaternion() {
+  static const SchemeDefinition scheme(
+      {"quaternion", "Euler step of a unit quaternion at constant momentum", "handout eq. 3, problem 2",
+       "|omega| dt is not small: a step turns by 2 atan(|omega| dt / 2)", 1, Conservation::lost,
+       Conservation::exact, Conservation::exact},
+      step);
+  return scheme;
+}
+
+}  // namespace polhode::schemes
