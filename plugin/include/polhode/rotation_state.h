@@ -16,11 +16,11 @@ using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 /// says in which of them a vector is expressed. SI units.
 ///
 /// Between two steps the members agree: omega_W = (R_WB I_B^-1 R_WB^T) L_W, and R_WB is q_WB's matrix. Only a
-/// scheme that declares `rotation: not` (see SchemeDescription) may keep an R_WB that is not a rotation; its
-/// q_WB is then the rotation nearest by construction, for readers that need one.
+/// scheme that declares `rotation: lost` (SchemeDescription) may keep an R_WB that is no rotation; its q_WB
+/// is then the rotation nearest to it, and that is what Bullet is given, whose collisions need one.
 struct RotationState {
   Quaternion q_WB = Quaternion::Identity();  ///< orientation, v_W = q_WB v_B, unit length
-  Matrix3 R_WB = Matrix3::Identity();        ///< the basis Bullet is given
+  Matrix3 R_WB = Matrix3::Identity();        ///< its matrix, or what the scheme keeps in its place
   Vector3 omega_W = Vector3::Zero();         ///< angular velocity, rad/s
   Vector3 L_W = Vector3::Zero();             ///< angular momentum about the centre of mass, kg m^2/s
 

@@ -73,28 +73,7 @@ std::optional<IncidentKind> ManagedBody::begin_step() {
   known_.pose.setOrigin(body_->getWorldTransform().getOrigin());
   known_.linear_velocity = body_->getLinearVelocity();
   start_is_known_ = true;
-  lend_rotation();
   return finite ? std::nullopt : std::make_optional(IncidentKind::non_finite_body);
-}
-
-// Bullet keeps contact points in the body's frame and gets there by a transpose: with a basis that is no
-// rotation it loses them at once. So from here to the end of the step the body has the rotation that its
-// scheme reports.
-void ManagedBody::lend_rotation() {
-  if (keeps_rotation_ || diverged_ || steps_ == 0) return;
-  known_.pose.setBasis(to_bullet(state_.q_WB.toRotationMatrix()));
-  body_->setWorldTransform(known_.pose);
-  rotation_is_lent_ = true;
-}
-
-void ManagedBody::take_back_rotation() {
-  if (!rotation_is_lent_) return;
-  rotation_is_lent_ = false;
-  btTransform pose = body_->getWorldTransform();
-  if (!same(pose.getBasis(), known_.pose.getBasis())) return;
-  pose.setBasis(to_bullet(state_.R_WB));
-  known_.pose.setBasis(pose.getBasis());
-  body_->setWorldTransform(pose);
 }
 
 void ManagedBody::take_over_changes() {
@@ -128,7 +107,6 @@ std::optional<IncidentKind> ManagedBody::finish_step(btScalar dt, BulletReplay& 
   const bool placed =
       !same(body_->getWorldTransform().getBasis(), body_->getInterpolationWorldTransform().getBasis());
   if (!turns_by_solver(*body_) || placed) {
-    take_back_rotation();
     take_over_changes();
     if (body_->getActivationState() == ISLAND_SLEEPING) come_to_rest();
     start_is_known_ = true;
@@ -157,7 +135,7 @@ std::optional<IncidentKind> ManagedBody::finish_step(btScalar dt, BulletReplay& 
   RotationState next = stepped(input);
   if (!late_kick_W.isZero(0.0)) {
     next.omega_W += late_kick_W;
-    next.L_W += angular_momentum_W(next.R_WB, input.inertia_B, late_kick_W);
+    next.L_W = angular_momentum_W(next.R_WB, input.inertia_B, next.omega_W);
   }
   if (!within_limits(next)) {
     stop_spinning();
@@ -231,22 +209,33 @@ RotationState ManagedBody::stepped(const StepInput& input) const {
 void ManagedBody::stop_spinning() {
   diverged_ = true;
   body_->setAngularVelocity(btVector3(0, 0, 0));
-  body_->setCenterOfMassTransform(
-      btTransform(known_.pose.getBasis(), body_->getWorldTransform().getOrigin()));
+  write_pose();
   known_ = motion_of(*body_);
+}
+
+// A rotation, of a body that swells too: Bullet keeps contact points in the body's frame and gets there by a
+// transpose, so that with a swollen basis it would lose them at once.
+void ManagedBody::write_pose() {
+  const Matrix3 rotation = keeps_rotation_ ? state_.R_WB : state_.q_WB.toRotationMatrix();
+  body_->setCenterOfMassTransform(btTransform(to_bullet(rotation), body_->getWorldTransform().getOrigin()));
 }
 
 void ManagedBody::write(const RotationState& start, double dt) {
   body_->setAngularVelocity(to_bullet(state_.omega_W));
-  body_->setCenterOfMassTransform(
-      btTransform(to_bullet(state_.R_WB), body_->getWorldTransform().getOrigin()));
+  write_pose();
   // Bullet interpolates motion states between two steps back from the pose by this velocity: with the mean
   // velocity of the step it meets the pose before.
   const Vector3 mean_omega_W = logarithm(state_.q_WB * start.q_WB.conjugate()) / dt;
   body_->setInterpolationAngularVelocity(to_bullet(mean_omega_W));
   known_ = motion_of(*body_);
   start_is_known_ = true;
-  rotation_is_lent_ = false;
+}
+
+void ManagedBody::show_swollen() const {
+  btMotionState* motion_state = body_->getMotionState();
+  if (keeps_rotation_ || motion_state == nullptr || !body_->isActive()) return;
+  motion_state->setWorldTransform(
+      btTransform(to_bullet(state_.R_WB), body_->getWorldTransform().getOrigin()));
 }
 
 BodyRotation ManagedBody::rotation() const {

@@ -29,6 +29,9 @@ class ManagedBody {
   /// The state, with what the application changed since.
   BodyRotation rotation() const;
 
+  /// Hands the basis that is no rotation, if the scheme keeps one, to the body's motion state.
+  void show_swollen() const;
+
   const SchemePointer& scheme() const { return scheme_; }
   bool keeps_rotation() const { return keeps_rotation_; }
 
@@ -36,13 +39,12 @@ class ManagedBody {
   void clear_flags();
   void take_over_changes();
   void come_to_rest();
-  void lend_rotation();
-  void take_back_rotation();
   double turned_fraction(btScalar dt) const;
   void take_over_move(const btVector3& solved_W, btScalar turn_dt, bool clamped, BulletReplay& replay);
   void start_from(const btVector3& solver_start_W);
   RotationState stepped(const StepInput& input) const;
   void stop_spinning();
+  void write_pose();
   void write(const RotationState& start, double dt);
 
   btRigidBody* body_;
@@ -54,7 +56,6 @@ class ManagedBody {
   int flags_of_application_ = 0;  // the gyroscopic ones
   bool keeps_rotation_;
   bool start_is_known_ = false;  // whether state_.omega_W is what the next solve starts from
-  bool rotation_is_lent_ = false;  // whether the body has a rotation in place of state_.R_WB
   bool diverged_ = false;
 };
 

@@ -149,10 +149,7 @@ class RotationControl::Implementation {
   void show_swollen_bodies() {
     if (!some_swell_) return;
     for_each_body([this](btRigidBody& body) {
-      const ManagedBody* managed = find(body);
-      if (managed == nullptr || managed->keeps_rotation() || !body.isActive()) return;
-      if (body.getMotionState() != nullptr)
-        body.getMotionState()->setWorldTransform(body.getWorldTransform());
+      if (const ManagedBody* managed = find(body)) managed->show_swollen();
     });
   }
 

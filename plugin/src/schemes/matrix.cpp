@@ -10,27 +10,29 @@
 // identity rounding tips omega off L and the motion blows up.
 //
 // The velocity left behind is I_{t+1}^-1 l, the one the next step turns with, so that omega and L agree
-// between steps and a kick of either means the same.
+// between steps. A kick counts by the velocity it makes, so that a contact that stops the body stops it;
+// since I_t shrinks as R swells, the momentum that a torque brings shrinks with it.
+#include <Eigen/SVD>
+
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-// The rotation that q_WB reports for a matrix that is none: its columns made orthonormal one after the other.
-Quaternion nearby_rotation(const Matrix3& R) {
-  Matrix3 rotation;
-  rotation.col(0) = R.col(0).normalized();
-  rotation.col(2) = rotation.col(0).cross(R.col(1)).normalized();
-  rotation.col(1) = rotation.col(2).cross(rotation.col(0));
-  return Quaternion(rotation).normalized();
+// The rotation that q_WB reports for a matrix that is none: the nearest one, U V^T of its singular value
+// decomposition.
+Quaternion nearest_rotation(const Matrix3& R) {
+  if (!R.allFinite()) return Quaternion::Identity();
+  const Eigen::JacobiSVD<Matrix3> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return Quaternion(Matrix3(svd.matrixU() * svd.matrixV().transpose())).normalized();
 }
 
 void step(const StepInput& input, RotationState& state) noexcept {
   const Vector3 L_W = state.L_W + angular_momentum_W(state.R_WB, input.inertia_B, input.delta_omega_W);
   const Vector3 omega_W = inverse_inertia_W(state.R_WB, input.inertia_B) * L_W;
   state.R_WB += input.turn_dt * skew(omega_W) * state.R_WB;
-  state.q_WB = nearby_rotation(state.R_WB);
+  state.q_WB = nearest_rotation(state.R_WB);
   set_angular_momentum(state, input.inertia_B, L_W);
 }
 

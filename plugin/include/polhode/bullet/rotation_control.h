@@ -93,7 +93,7 @@ class RotationControl {
   void begin_step() noexcept;
   /// After Bullet's own integration by dt seconds: rotates every managed body that Bullet moved.
   void finish_step(btScalar dt) noexcept;
-  /// Hands the basis of bodies whose scheme does not keep a rotation to their motion states as it is.
+  /// Hands the R_WB of bodies whose scheme does not keep a rotation to their motion states as it is.
   void show_swollen_bodies() noexcept;
   /// A body entered or is leaving the world.
   void body_added(btRigidBody& body);
