@@ -1,0 +1,76 @@
+#include "compare/comparison.h"
+
+#include <stdexcept>
+
+#include "compare/interruption.h"
+#include "compare/progress_bar.h"
+#include "record/comparison_json.h"
+#include "record/csv.h"
+#include "record/output_file.h"
+#include "record/table.h"
+#include "scenario/scenario_directory.h"
+#include "world/body_shape.h"
+#include "world/run.h"
+
+namespace polhode::demos {
+
+namespace {
+
+Scenario chosen_scenario(const Options& options) {
+  Scenario scenario = find_scenario(options.scenario);
+  scenario.dt = options.dt.value_or(scenario.dt);
+  scenario.duration = options.duration.value_or(scenario.duration);
+  try {
+    step_count(scenario.dt, scenario.duration);
+    return resolved(scenario);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(options.scenario + ": " + error.what());
+  }
+}
+
+void run_all(const std::vector<Contender>& contenders, OutputFile* csv, Comparison& comparison) {
+  const std::int64_t steps = step_count(comparison.scenario.dt, comparison.scenario.duration);
+  ProgressBar progress(steps * static_cast<std::int64_t>(contenders.size()));
+  std::int64_t steps_before = 0;
+  for (const Contender& contender : contenders) {
+    const auto observe = [&](const Sample& sample) {
+      throw_if_interrupted();
+      progress.show(steps_before + sample.step, contender.name);
+      if (csv != nullptr) csv->write(csv_row(contender.name, sample));
+    };
+    comparison.contenders.push_back({contender.name, run(comparison.scenario, contender, observe)});
+    steps_before += steps;
+  }
+}
+
+}  // namespace
+
+Comparison compare(const Options& options) {
+  const std::vector<Contender> contenders =
+      options.contenders.empty() ? default_contenders() : find_contenders(options.contenders);
+  Comparison comparison{chosen_scenario(options), bullet_precision(), {}};
+  // Opened before the run, which may be long, to fail early; renamed to their names after it.
+  std::optional<OutputFile> csv;
+  std::optional<OutputFile> json;
+  if (options.csv) csv.emplace(*options.csv);
+  if (options.json) json.emplace(*options.json);
+  if (csv) csv->write(csv_header());
+  run_all(contenders, csv ? &*csv : nullptr, comparison);
+  if (json) json->write(comparison_json(comparison));
+  if (csv) csv->commit();
+  if (json) json->commit();
+  return comparison;
+}
+
+std::string list_text() {
+  std::vector<std::vector<std::string>> rows;
+  for (const std::string& name : scenario_names()) {
+    rows.push_back({name, find_scenario(name).description});
+  }
+  std::string text = "scenarios:\n" + aligned_columns(rows, Align::left);
+  rows.clear();
+  for (const Contender& contender : all_contenders()) rows.push_back({contender.name, contender.summary});
+  return text + "contenders:\n" + aligned_columns(rows, Align::left);
+}
+
+}  // namespace polhode::demos

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace polhode::demos {
+
+/// Ctrl-C or a termination request, as an exception, so that destructors remove half-written files.
+class Interrupted : public std::runtime_error {
+ public:
+  explicit Interrupted(int signal)
+      : std::runtime_error("interrupted; no file was written"), signal_(signal) {}
+  int signal() const { return signal_; }
+
+ private:
+  int signal_;
+};
+
+/// From now on such a signal is noted.
+void watch_for_interruption();
+
+/// @throws Interrupted if one was noted.
+void throw_if_interrupted();
+
+}  // namespace polhode::demos

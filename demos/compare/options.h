@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace polhode::demos {
+
+/// What the command line asks for.
+struct Options {
+  bool list = false;
+  std::string scenario = "dzhanibekov";
+  std::vector<std::string> contenders;  ///< empty: the default ones
+  std::optional<double> dt;
+  std::optional<double> duration;
+  std::optional<std::filesystem::path> csv;
+  std::optional<std::filesystem::path> json;
+};
+
+/// Nothing if the command line asked for --help or --version, which is then printed.
+/// @throws std::invalid_argument that says what is wrong and what is valid
+std::optional<Options> parse_options(int argument_count, char** arguments);
+
+}  // namespace polhode::demos

@@ -1,0 +1,45 @@
+#include "record/comparison_json.h"
+
+#include "scenario/build_info.h"
+#include "scenario/scenario_writer.h"
+
+namespace polhode::demos {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json contender_json(const ContenderFigures& contender) {
+  const Figures& figures = contender.figures;
+  return {{"name", contender.contender},
+          {"steps", figures.steps},
+          {"final_energy_error", number_or_null(figures.final_energy_error)},
+          {"worst_energy_error", number_or_null(figures.worst_energy_error)},
+          {"worst_momentum_error", number_or_null(figures.worst_momentum_error)},
+          {"worst_momentum_angle_rad", number_or_null(figures.worst_momentum_angle_rad)},
+          {"final_det_R", figures.final_det_R},
+          {"steps_past_cut", figures.steps_past_cut},
+          {"diverged_at_s", number_or_null(figures.diverged_at_s)},
+          {"ns_per_step", figures.ns_per_step}};
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& comparison) {
+  Json json;
+  json["polhode_version"] = kVersion;
+  json["precision"] = comparison.precision;
+  json["scenario"] = scenario_json(comparison.scenario);
+  json["contenders"] = Json::array();
+  for (const ContenderFigures& contender : comparison.contenders) {
+    json["contenders"].push_back(contender_json(contender));
+  }
+  // A name in a file may hold any bytes; text that is not UTF-8 must not cost the run.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace polhode::demos

@@ -1,0 +1,59 @@
+#include "record/contender.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace polhode::demos {
+
+namespace {
+
+std::vector<Contender> bullet_contenders() {
+  return {{"bullet:none", "Bullet alone, no gyroscopic term", BulletMode::none},
+          {"bullet:explicit", "Bullet alone, explicit gyroscopic torque, capped", BulletMode::explicit_force},
+          {"bullet:implicit_world", "Bullet alone, implicit gyroscopic term in the world frame",
+           BulletMode::implicit_world},
+          {"bullet:implicit_body", "Bullet alone, implicit gyroscopic term in the body frame: its default",
+           BulletMode::implicit_body}};
+}
+
+const Contender& find_contender(const std::vector<Contender>& all, const std::string& name) {
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const Contender& contender) { return contender.name == name; });
+  if (found != all.end()) return *found;
+  std::string valid;
+  for (const Contender& contender : all) valid += (valid.empty() ? "" : ", ") + contender.name;
+  throw std::invalid_argument("unknown contender \"" + name + "\"; valid are " + valid);
+}
+
+}  // namespace
+
+std::vector<Contender> all_contenders() {
+  std::vector<Contender> all;
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    const SchemeDescription description = scheme->description();
+    all.push_back({std::string(description.name), std::string(description.summary), scheme});
+  }
+  for (const Contender& contender : bullet_contenders()) all.push_back(contender);
+  return all;
+}
+
+std::vector<Contender> default_contenders() {
+  std::vector<std::string> names = {"matrix", "quaternion", "semi_implicit_gyroscopic",
+                                    "implicit_gyroscopic"};
+  for (const Contender& contender : bullet_contenders()) names.push_back(contender.name);
+  return find_contenders(names);
+}
+
+std::vector<Contender> find_contenders(const std::vector<std::string>& names) {
+  const std::vector<Contender> all = all_contenders();
+  std::vector<Contender> chosen;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) != name) {
+      throw std::invalid_argument("contender \"" + *name + "\" is given twice; valid is each once");
+    }
+    chosen.push_back(find_contender(all, *name));
+  }
+  return chosen;
+}
+
+}  // namespace polhode::demos

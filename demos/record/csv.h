@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "record/sample.h"
+
+/// The rows of a record as CSV; demos/README.md documents the columns.
+namespace polhode::demos {
+
+/// The first line, newline included.
+std::string csv_header();
+
+/// One line, newline included, with 17 significant digits.
+std::string csv_row(const std::string& contender, const Sample& sample);
+
+}  // namespace polhode::demos

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/sample.h"
+#include "scenario/scenario.h"
+
+namespace polhode::demos {
+
+/// What a run comes down to: a row of the table. All of it is measured up to the divergence, if there was
+/// one. Errors relative to an energy or momentum that is zero at the start are absent.
+struct Figures {
+  std::int64_t steps = 0;                          ///< recorded, without the start
+  std::optional<double> final_energy_error;        ///< E/E0 - 1: below 0 energy was lost
+  std::optional<double> worst_energy_error;        ///< the largest |E/E0 - 1|
+  std::optional<double> worst_momentum_error;      ///< the largest ||L|/|L0| - 1|
+  std::optional<double> worst_momentum_angle_rad;  ///< the largest angle between L and L0
+  double final_det_R = 1.0;
+  std::int64_t steps_past_cut = 0;  ///< in which |omega| dt > pi/4: Bullet's own turn is cut there
+  std::optional<double> diverged_at_s;
+  double ns_per_step = 0.0;
+};
+
+/// Gathers the figures of a run sample by sample.
+class FiguresRecorder {
+ public:
+  FiguresRecorder(const Sample& start, double dt);
+  void add(const Sample& sample);
+  /// The step to this time failed: it is not in the figures.
+  void set_diverged(double t_s) { figures_.diverged_at_s = t_s; }
+  void set_ns_per_step(double ns) { figures_.ns_per_step = ns; }
+  const Figures& figures() const { return figures_; }
+
+ private:
+  void add_energy(double energy_J);
+  void add_momentum(const Vector3& L_W);
+
+  double start_energy_J_;
+  Vector3 start_L_W_;
+  double dt_;
+  Figures figures_;
+};
+
+struct ContenderFigures {
+  std::string contender;
+  Figures figures;
+};
+
+/// Contenders side by side in one scenario.
+struct Comparison {
+  Scenario scenario;      ///< as run, with the inertia that follows from its shape
+  std::string precision;  ///< of Bullet: "single" or "double"
+  std::vector<ContenderFigures> contenders;
+};
+
+}  // namespace polhode::demos

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+namespace polhode::demos {
+
+/// A file that appears whole or not at all: it is written under a temporary name in the same directory and
+/// renamed by commit(). Without commit() nothing is left behind.
+class OutputFile {
+ public:
+  /// @throws std::runtime_error if the file cannot be written there.
+  explicit OutputFile(const std::filesystem::path& target);
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  /// @throws std::runtime_error, as when the disk is full.
+  void write(std::string_view text);
+  /// @throws std::runtime_error
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  std::ofstream stream_;
+};
+
+/// Whether two paths, of files that need not exist, lead to the same file.
+bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+}  // namespace polhode::demos

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace polhode::demos {
+
+/// The valid values of a number, both ends included. Every number has such ends, so that none can overflow
+/// Bullet's single precision.
+struct Range {
+  double lowest;
+  double highest;
+
+  constexpr bool contains(double value) const { return value >= lowest && value <= highest; }
+};
+
+/// "a finite number between 1e-06 and 1000"
+std::string range_text(const Range& range);
+
+}  // namespace polhode::demos

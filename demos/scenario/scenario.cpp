@@ -1,0 +1,22 @@
+#include "scenario/scenario.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "scenario/number_text.h"
+
+namespace polhode::demos {
+
+std::int64_t step_count(double dt, double duration) {
+  const double steps = duration / dt;
+  // 1 s in steps of 1/60 s written with few digits may come to a little under a whole number of steps.
+  constexpr double kRoundingSlack = 1e-6;
+  if (!(steps >= 1.0 - kRoundingSlack && steps <= kMostSteps)) {
+    throw std::invalid_argument("duration / dt must be between 1 and " + number_text(kMostSteps) +
+                                " steps, is " + number_text(duration) + " s / " + number_text(dt) +
+                                " s = " + number_text(steps));
+  }
+  return std::llround(steps);
+}
+
+}  // namespace polhode::demos

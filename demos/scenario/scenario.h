@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "polhode/rotation_state.h"
+#include "scenario/range.h"
+
+/// What a scenario file says, in SI units; demos/README.md documents the file's keys. Frames: W the world, B
+/// the body (origin in its centre of mass, axes along its principal axes).
+namespace polhode::demos {
+
+struct Sphere {
+  double radius;
+};
+
+struct Box {
+  Vector3 half_extents;
+};
+
+/// A box that is part of a compound. The compound's own frame is re-based to its centre of mass and principal
+/// axes.
+struct BoxPart {
+  Vector3 half_extents;
+  Vector3 at;
+  double mass;
+};
+
+struct Compound {
+  std::vector<BoxPart> parts;
+};
+
+using Shape = std::variant<Sphere, Box, Compound>;
+
+/// An impulse (N s) at a point given by its offset from the centre of mass, in world axes.
+struct Impulse {
+  Vector3 impulse_W;
+  Vector3 at_W;
+};
+
+struct Body {
+  std::optional<Vector3> inertia_B;  ///< principal moments; empty: those of the shape
+  double mass = 1.0;
+  Shape shape;
+  Vector3 position_W = Vector3::Zero();
+  Quaternion q_WB = Quaternion::Identity();
+  Vector3 omega_W = Vector3::Zero();
+  Vector3 velocity_W = Vector3::Zero();
+  std::vector<Impulse> impulses;
+  double friction = 0.5;
+  double restitution = 0.0;
+  double linear_damping = 0.0;
+  double angular_damping = 0.0;
+};
+
+/// The half space normal_W . x <= height.
+struct Ground {
+  double height;
+  Vector3 normal_W;
+  double friction;
+  double restitution;
+};
+
+/// Ties a point of the body to where it is in the world at the start.
+struct PointToPoint {
+  Vector3 pivot_B;
+};
+
+struct Scenario {
+  std::string name;
+  std::string description;
+  Body body;  ///< the one that is recorded
+  std::vector<Body> others;
+  Vector3 gravity_W = Vector3::Zero();
+  Vector3 torque_W = Vector3::Zero();      ///< constant, on `body`
+  std::optional<PointToPoint> constraint;  ///< of `body`
+  std::optional<Ground> ground;
+  int solver_iterations = 10;
+  double dt = 0.0;
+  double duration = 0.0;
+};
+
+/// Principal moments, kg m^2.
+inline constexpr Range kInertiaRange{1e-12, 1e9};
+
+/// Bullet takes a step under its single-precision epsilon, 1.2e-7 s, for none at all.
+inline constexpr Range kDtRange{1e-6, 1e3};
+inline constexpr Range kDurationRange{1e-6, 1e11};
+inline constexpr double kMostSteps = 1e8;
+
+/// duration / dt, rounded to the nearest whole number of steps.
+/// @throws std::invalid_argument if that is less than one step or more than kMostSteps.
+std::int64_t step_count(double dt, double duration);
+
+}  // namespace polhode::demos
