@@ -14,11 +14,9 @@ inline namespace POLHODE_PRECISION {
 /// An action cannot see the start of a step. So
 /// - a body added later is first seen at the end of its first step, which was Bullet's own;
 /// - a velocity that the application sets between two steps reaches the schemes as a kick in the step after;
-/// - a gyroscopic flag that the application sets between two steps acts in the step after, and is cleared
-/// then;
-/// - a NaN that the application puts into a body has met the solver before it is found. Every managed body
-/// that
-///   it reached is then set back to its last finite state.
+/// - a gyroscopic flag that the application sets between two steps acts in the next one, and is cleared then;
+/// - a NaN that the application puts into a body has met the solver before it is found; every managed body
+///   that it reached is then set back to its last finite state.
 /// Where that matters, call take_over_changes() before stepSimulation, after any such change; RotationWorld
 /// does so by itself. The two then give the same bits, but for what other actions of the world do: those
 /// before this one in the list see the body as Bullet turned it, in a RotationWorld as the scheme did.

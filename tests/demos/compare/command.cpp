@@ -1,0 +1,54 @@
+#include "demos/compare/command.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+
+namespace polhode::demos {
+
+namespace {
+
+void redirect(int descriptor, const std::filesystem::path& file) {
+  const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  ::dup2(opened, descriptor);
+  ::close(opened);
+}
+
+[[noreturn]] void become(std::vector<std::string> words, std::vector<std::string> environment) {
+  std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  for (std::string& setting : environment) ::putenv(setting.data());
+  ::execv(pointers[0], pointers.data());
+  ::_exit(127);
+}
+
+}  // namespace
+
+Command::Command(const std::string& program, const std::vector<std::string>& arguments,
+                 const std::vector<std::string>& environment) {
+  std::vector<std::string> words = {program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  process_ = ::fork();
+  if (process_ != 0) return;
+  redirect(STDOUT_FILENO, output_ / "out");
+  redirect(STDERR_FILENO, output_ / "err");
+  become(words, environment);
+}
+
+void Command::send_signal(int signal) const {
+  ::kill(process_, signal);
+}
+
+CommandResult Command::wait() {
+  int status = 0;
+  ::waitpid(process_, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(output_ / "out"),
+          read_file(output_ / "err")};
+}
+
+}  // namespace polhode::demos

@@ -1,0 +1,59 @@
+#include "record/contender.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace polhode::demos {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<Contender>& contenders) {
+  std::vector<std::string> names(contenders.size());
+  std::transform(contenders.begin(), contenders.end(), names.begin(),
+                 [](const Contender& contender) { return contender.name; });
+  return names;
+}
+
+TEST(Contenders, AreEveryRegisteredSchemeAndThenBulletsModes) {
+  std::vector<std::string> expected;
+  for (const SchemePointer& scheme : built_in_schemes()) expected.emplace_back(scheme->description().name);
+  for (const char* mode : {"none", "explicit", "implicit_world", "implicit_body"}) {
+    expected.push_back(std::string("bullet:") + mode);
+  }
+  EXPECT_EQ(names_of(all_contenders()), expected);
+  for (const Contender& contender : all_contenders())
+    EXPECT_FALSE(contender.summary.empty()) << contender.name;
+}
+
+TEST(Contenders, AreTheHandoutsAndBulletsByDefault) {
+  EXPECT_THAT(names_of(default_contenders()),
+              testing::ElementsAre("matrix", "quaternion", "semi_implicit_gyroscopic", "implicit_gyroscopic",
+                                   "bullet:none", "bullet:explicit", "bullet:implicit_world",
+                                   "bullet:implicit_body"));
+}
+
+TEST(Contenders, KeepTheOrderTheyAreAskedForIn) {
+  EXPECT_THAT(names_of(find_contenders({"bullet:none", "matrix"})),
+              testing::ElementsAre("bullet:none", "matrix"));
+}
+
+TEST(Contenders, AreRefusedWithTheValidNamesOrWhenGivenTwice) {
+  EXPECT_THAT(
+      [] {
+        find_contenders({"matrix", "cubic"});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(
+          testing::AllOf(testing::StartsWith("unknown contender \"cubic\"; valid are matrix, "),
+                         testing::EndsWith("bullet:implicit_body"))));
+  EXPECT_THAT(
+      [] {
+        find_contenders({"matrix", "bullet:none", "matrix"});
+      },
+      testing::ThrowsMessage<std::invalid_argument>(
+          "contender \"matrix\" is given twice; valid is each once"));
+}
+
+}  // namespace
+}  // namespace polhode::demos

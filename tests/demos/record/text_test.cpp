@@ -1,0 +1,99 @@
+// What a comparison looks like as table, CSV and JSON.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "demos/foreign_locale.h"
+#include "record/comparison_json.h"
+#include "record/csv.h"
+#include "record/table.h"
+
+namespace polhode::demos {
+namespace {
+
+Comparison small_comparison() {
+  Comparison comparison;
+  comparison.scenario.name = "thing";
+  comparison.scenario.description = "turns";
+  comparison.scenario.dt = 0.5;
+  comparison.scenario.duration = 5000.0;
+  comparison.precision = "double";
+  Figures figures;
+  figures.steps = 1234567;
+  figures.final_energy_error = -0.5;
+  figures.worst_energy_error = 1234.5678;
+  figures.final_det_R = 1.25;
+  figures.steps_past_cut = 1234;
+  figures.diverged_at_s = 1.5;
+  figures.ns_per_step = 1234.9;
+  comparison.contenders = {{"first", figures}, {"second_longer", Figures{}}};
+  return comparison;
+}
+
+Sample small_sample() {
+  Sample sample;
+  sample.step = 12345;
+  sample.t_s = 0.1;
+  sample.state.q_WB = Quaternion(1, 2, 3, 4);
+  sample.state.omega_W = {5.5, 6, 7};
+  sample.state.L_W = {8, 9, 10000.5};
+  sample.energy_J = -11;
+  return sample;
+}
+
+constexpr char kRow[] = "a:b,12345,0.10000000000000001,1,2,3,4,5.5,6,7,8,9,10000.5,-11,1\n";
+
+TEST(Table, IsAlignedWithADashWhereAFigureIsAbsent) {
+  std::string text = comparison_table(small_comparison());
+  text.erase(text.find(", polhode "), text.find("\n\n") - text.find(", polhode "));
+  EXPECT_EQ(text,
+            "thing: turns\n"
+            "dt 0.5 s, 10000 steps, double-precision Bullet\n"
+            "\n"
+            "contender       final     worst      worst  worst angle  final  steps past  diverged  ns per\n"
+            "               E/E0-1  |E/E0-1|  |L| error    of L, rad  det R    pi/4 cut   at t, s    step\n"
+            "first            -0.5  1.23e+03          -            -   1.25        1234       1.5    1234\n"
+            "second_longer       -         -          -            -      1           0         -       0\n");
+}
+
+TEST(Table, IsTheSameInAnyLocale) {
+  const std::string here = comparison_table(small_comparison());
+  const ForeignLocale foreign;
+  EXPECT_EQ(comparison_table(small_comparison()), here);
+}
+
+TEST(Csv, HasTheDocumentedColumns) {
+  EXPECT_EQ(csv_header(),
+            "contender,step,t_s,q_w,q_x,q_y,q_z,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s,L_x,L_y,L_z,energy_"
+            "J,det_R\n");
+  EXPECT_EQ(csv_row("a:b", small_sample()), kRow);
+}
+
+TEST(Csv, IsTheSameInAnyLocale) {
+  const ForeignLocale foreign;
+  EXPECT_EQ(csv_row("a:b", small_sample()), kRow);
+}
+
+TEST(ComparisonJson, HasNullWhereAFigureIsAbsent) {
+  const ForeignLocale foreign;
+  const nlohmann::json json = nlohmann::json::parse(comparison_json(small_comparison()));
+  EXPECT_EQ(json["precision"], "double");
+  EXPECT_EQ(json["scenario"]["name"], "thing");
+  ASSERT_EQ(json["contenders"].size(), 2u);
+  const nlohmann::json& first = json["contenders"][0];
+  EXPECT_EQ(first["name"], "first");
+  EXPECT_EQ(first["steps"], 1234567);
+  EXPECT_EQ(first["final_energy_error"], -0.5);
+  EXPECT_EQ(first["worst_energy_error"], 1234.5678);
+  EXPECT_EQ(first["worst_momentum_error"], nullptr);
+  EXPECT_EQ(first["worst_momentum_angle_rad"], nullptr);
+  EXPECT_EQ(first["final_det_R"], 1.25);
+  EXPECT_EQ(first["steps_past_cut"], 1234);
+  EXPECT_EQ(first["diverged_at_s"], 1.5);
+  EXPECT_EQ(first["ns_per_step"], 1234.9);
+  EXPECT_EQ(json["contenders"][1]["diverged_at_s"], nullptr);
+}
+
+}  // namespace
+}  // namespace polhode::demos

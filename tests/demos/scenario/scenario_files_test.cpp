@@ -1,0 +1,99 @@
+// The files in demos/scenarios hold what their descriptions say.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenario/scenario_reader.h"
+#include "scenario/start_motion.h"
+
+namespace polhode::demos {
+namespace {
+
+Scenario scenario_file(const std::string& name) {
+  return read_scenario(std::filesystem::path(POLHODE_SCENARIO_SOURCES) / (name + ".json"));
+}
+
+class ScenarioFile : public testing::TestWithParam<std::string> {};
+
+TEST_P(ScenarioFile, IsReadAndNamedAndDescribed) {
+  const Scenario scenario = scenario_file(GetParam());
+  EXPECT_EQ(scenario.name, GetParam());
+  EXPECT_FALSE(scenario.description.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, ScenarioFile,
+                         testing::Values("cube_expansion", "dzhanibekov", "t_handle", "tumble", "heavy_top",
+                                         "fast_spinner", "floor"),
+                         [](const auto& file) { return file.param; });
+
+TEST(ScenarioFiles, CubeExpansionIsTheHandoutsCube) {
+  const Scenario scenario = scenario_file("cube_expansion");
+  const Vector3 L_W =
+      scenario.body.inertia_B->cwiseProduct(start_motion(scenario.body, *scenario.body.inertia_B).omega_W);
+  EXPECT_LT((L_W - Vector3(0, 20, -20)).norm(), 1e-14);  // measured 0
+  EXPECT_EQ(*scenario.body.inertia_B, Vector3::Constant(2.0 / 3.0));
+  EXPECT_EQ(std::get<Box>(scenario.body.shape).half_extents, Vector3(1, 1, 1));
+  EXPECT_EQ(scenario.dt, 0.001);
+}
+
+TEST(ScenarioFiles, DzhanibekovIsTheHandoutsT) {
+  const Scenario scenario = scenario_file("dzhanibekov");
+  EXPECT_EQ(*scenario.body.inertia_B, Vector3(24.1449, 28.436, 118.812));
+  EXPECT_EQ(scenario.body.omega_W, Vector3(0.1, 10, 0));
+  EXPECT_EQ(scenario.dt, 0.03);
+}
+
+TEST(ScenarioFiles, TumbleHasThreeMoments) {
+  const Scenario scenario = scenario_file("tumble");
+  EXPECT_EQ(*scenario.body.inertia_B, Vector3(1, 2, 3));
+  EXPECT_EQ(scenario.body.omega_W, Vector3(3, 2, 4));
+  EXPECT_EQ(scenario.dt, 1.0 / 60.0);
+}
+
+TEST(ScenarioFiles, FastSpinnerTurnsPastTheCut) {
+  const Scenario scenario = scenario_file("fast_spinner");
+  EXPECT_EQ(*scenario.body.inertia_B, Vector3(0.4, 0.5, 0.8));
+  EXPECT_EQ(scenario.body.omega_W.norm(), 200.0);
+  EXPECT_EQ(scenario.dt, 1.0 / 60.0);
+}
+
+TEST(ScenarioFiles, FloorHasAnotherSpinningBodyAndAGround) {
+  const Scenario scenario = scenario_file("floor");
+  EXPECT_TRUE(std::holds_alternative<Compound>(scenario.body.shape));
+  ASSERT_EQ(scenario.others.size(), 2u);
+  for (const Body& other : scenario.others) EXPECT_GT(other.omega_W.norm(), 1.0);
+  EXPECT_GT(scenario.ground.value().friction, 0.0);
+  EXPECT_EQ(scenario.dt, 1.0 / 240.0);
+}
+
+TEST(ScenarioFiles, HeavyTopStartsInItsSteadySlowPrecession) {
+  const Scenario scenario = scenario_file("heavy_top");
+  const double transverse = 0.005, axial = 0.008, length = 0.05, gravity = 9.81, tilt = 0.5, spin = 20.0;
+  // A cos(tilt) Omega^2 - C w3 Omega + m g l = 0, A about the pivot, the root of the slow precession
+  const double about_pivot = transverse + length * length;
+  const double axial_momentum = axial * spin;
+  const double precession =
+      (axial_momentum -
+       std::sqrt(axial_momentum * axial_momentum - 4.0 * about_pivot * std::cos(tilt) * gravity * length)) /
+      (2.0 * about_pivot * std::cos(tilt));
+  EXPECT_NEAR(precession, 3.598, 5e-4);  // measured 3.59823
+  const Vector3 axis_W(std::sin(tilt), 0.0, std::cos(tilt));
+  const Vector3 omega_W = precession * Vector3::UnitZ() + (spin - precession * std::cos(tilt)) * axis_W;
+  const Vector3 velocity_W = omega_W.cross(length * axis_W);
+
+  const Body& body = scenario.body;
+  EXPECT_EQ(*body.inertia_B, Vector3(transverse, transverse, axial));
+  EXPECT_EQ(scenario.gravity_W, Vector3(0, 0, -gravity));
+  EXPECT_EQ(scenario.constraint.value().pivot_B, Vector3(0, 0, -length));
+  EXPECT_LT((body.position_W - length * axis_W).norm(), 1e-16);      // measured 0
+  EXPECT_LT((body.q_WB * Vector3::UnitZ() - axis_W).norm(), 1e-15);  // measured 1.6e-16
+  EXPECT_LT((body.omega_W - omega_W).norm(), 1e-14);                 // measured 0
+  EXPECT_LT((body.velocity_W - velocity_W).norm(), 1e-16);           // measured 0
+  EXPECT_NEAR(body.omega_W.dot(axis_W), spin, 1e-14);                // measured 0
+  EXPECT_EQ(scenario.solver_iterations, 50);
+  EXPECT_EQ(scenario.dt, 1.0 / 240.0);
+}
+
+}  // namespace
+}  // namespace polhode::demos

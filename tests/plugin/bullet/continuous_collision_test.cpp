@@ -1,0 +1,83 @@
+// Continuous collision detection stops a fast body at a wall within the step: it then turns through that part
+// of the step only.
+#include <gtest/gtest.h>
+
+#include "support/both_ways.h"
+#include "support/motion.h"
+#include "support/precision.h"
+
+namespace polhode::testing {
+namespace {
+
+constexpr double kDt = 1.0 / 64;
+constexpr double kSpin = 30;    // rad/s
+constexpr double kSpeed = 256;  // m/s; 4 m in a step
+
+// A box at rest before a thin wall, and the force that makes it a bullet within the step: the solver's own
+// look ahead goes by the velocity before the step, so that the wall is met by the clamp alone.
+template <class Scene>
+btRigidBody& add_bullet(Scene& scene) {
+  btRigidBody& wall = scene.add_box(btVector3(btScalar(0.01), 5, 5), 0,
+                                    btTransform(btQuaternion::getIdentity(), btVector3(2, 0, 0)));
+  wall.setFriction(0);
+  btRigidBody& bullet =
+      scene.add_box(btVector3(btScalar(0.1), btScalar(0.15), btScalar(0.2)), 1, btTransform::getIdentity());
+  bullet.setFriction(0);
+  bullet.setCcdMotionThreshold(btScalar(0.1));
+  bullet.setCcdSweptSphereRadius(btScalar(0.1));
+  bullet.setAngularVelocity(kSpin * vector(0.6, 0.8, 0));
+  return bullet;
+}
+
+template <class Scene>
+void fire(Scene& scene, btRigidBody& bullet) {
+  bullet.applyCentralForce(vector(kSpeed / kDt, 0, 0));
+  scene.step(btScalar(kDt));
+}
+
+// The part of the step that the position moved through.
+double covered_part(const btRigidBody& bullet) {
+  return bullet.getWorldTransform().getOrigin().x() / (kSpeed * kDt);
+}
+
+template <class Way>
+class ContinuousCollision : public ::testing::Test {};
+TYPED_TEST_SUITE(ContinuousCollision, BothWays, WayName);
+
+TYPED_TEST(ContinuousCollision, TurnsOnlyThroughThePartOfTheStepThatWasFlown) {
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    SCOPED_TRACE(scheme->description().name);
+    TypeParam scene;
+    btRigidBody& bullet = add_bullet(scene);
+    scene.rotation().set_scheme(bullet, scheme);
+    scene.take_over_changes();
+    RotationState alone = scene.rotation().rotation_of(bullet).state;
+    fire(scene, bullet);
+    ASSERT_EQ(bullet.getHitFraction(), 0);
+    const double part = covered_part(bullet);
+    EXPECT_NEAR(part, 0.47, 0.01);
+    scheme->step(
+        {to_double(bullet.getInvInertiaDiagLocal()).cwiseInverse(), Vector3::Zero(), kDt, part * kDt}, alone);
+    const RotationState state = scene.rotation().rotation_of(bullet).state;
+    EXPECT_TRUE(shows(bullet, state));
+    // measured 0
+    EXPECT_LT(distance(state.R_WB, alone.R_WB), 1e-15);
+  }
+}
+
+TYPED_TEST(ContinuousCollision, OfTheControlIsBulletsOwn) {
+  Scene<> plain_scene;
+  TypeParam scene;
+  btRigidBody& plain = add_bullet(plain_scene);
+  btRigidBody& control = add_bullet(scene);
+  scene.rotation().set_scheme(control, "bullet");
+  scene.take_over_changes();
+  fire(plain_scene, plain);
+  fire(scene, control);
+  ASSERT_EQ(plain.getHitFraction(), 0);
+  // measured 7.9e-9 in single, 3.7e-17 in double precision
+  EXPECT_LT(angle_between(basis_of(control), basis_of(plain)), by_precision(1e-7, 3e-16));
+}
+
+}  // namespace
+}  // namespace polhode::testing

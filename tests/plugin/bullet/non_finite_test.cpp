@@ -1,0 +1,214 @@
+// One NaN spreads: in plain Bullet a body that is not finite spoils a pile. With the library it does not, is
+// reported once and counted.
+#include "bullet/non_finite.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "polhode/bullet/rotation_plugin.h"
+#include "polhode/bullet/rotation_world.h"
+#include "support/scene.h"
+
+namespace polhode::testing {
+namespace {
+
+constexpr btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN();
+constexpr btScalar kInfinity = std::numeric_limits<btScalar>::infinity();
+constexpr btScalar kDt = btScalar(1.0 / 60.0);
+
+// Twenty boxes settled into a pile.
+template <class World>
+void add_pile(Scene<World>& scene) {
+  scene.world().setGravity(btVector3(0, 0, -10));
+  scene.add_floor();
+  for (int i = 0; i < 20; ++i) {
+    const btVector3 origin(btScalar(i % 2) * btScalar(0.3), btScalar(i % 3) * btScalar(0.2),
+                           btScalar(0.5) + btScalar(0.95) * btScalar(i));
+    scene.add_box(btVector3(1, 1, 1) / 2, 1, btTransform(btQuaternion::getIdentity(), origin));
+  }
+}
+
+int bodies_not_finite(const std::vector<std::unique_ptr<btRigidBody>>& bodies) {
+  int count = 0;
+  for (const auto& body : bodies) count += is_finite(*body) ? 0 : 1;
+  return count;
+}
+
+struct Reports {
+  explicit Reports(RotationControl& rotation) {
+    rotation.set_incident_handler([this](const Incident& incident) { list.push_back(incident); });
+  }
+  std::vector<Incident> list;
+};
+
+using Spoil = void (*)(btRigidBody&);
+
+struct Case {
+  const char* name;
+  Spoil spoil;
+};
+
+const Case kCases[] = {
+    {"NanSpin", [](btRigidBody& body) { body.setAngularVelocity(btVector3(kNan, 0, 0)); }},
+    {"InfiniteSpin", [](btRigidBody& body) { body.setAngularVelocity(btVector3(0, kInfinity, 0)); }},
+    {"NanVelocity", [](btRigidBody& body) { body.setLinearVelocity(btVector3(0, kNan, 0)); }},
+    {"NanTorque", [](btRigidBody& body) { body.applyTorque(btVector3(0, kNan, 0)); }},
+    {"NanOrientation",
+     [](btRigidBody& body) {
+       body.setWorldTransform(
+           btTransform(btMatrix3x3(kNan, 0, 0, 0, 1, 0, 0, 0, 1), body.getWorldTransform().getOrigin()));
+     }},
+    {"InfinitePosition",
+     [](btRigidBody& body) { body.getWorldTransform().setOrigin(btVector3(kInfinity, 0, 0)); }},
+};
+
+class NonFiniteBody : public ::testing::TestWithParam<Case> {};
+
+TEST_P(NonFiniteBody, SpoilsAPileOfPlainBullet) {
+  Scene<> scene;
+  add_pile(scene);
+  scene.step(kDt, 60);
+  GetParam().spoil(*scene.bodies()[10]);
+  scene.step(kDt, 60);
+  EXPECT_GE(bodies_not_finite(scene.bodies()), 1);
+}
+
+TEST_P(NonFiniteBody, LeavesItsNeighboursInARotationWorldAloneAndIsReportedOnce) {
+  Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
+  RotationControl& rotation = scene.world().rotation();
+  Reports reports(rotation);
+  add_pile(scene);
+  scene.step(kDt, 60);
+  btRigidBody& spoiled = *scene.bodies()[10];
+  for (int i = 0; i < 60; ++i) {
+    if (i < 5) GetParam().spoil(spoiled);
+    scene.step(kDt);
+    ASSERT_EQ(bodies_not_finite(scene.bodies()), 0) << i;
+  }
+  ASSERT_EQ(reports.list.size(), 1u);
+  EXPECT_EQ(reports.list[0].body, &spoiled);
+  EXPECT_EQ(reports.list[0].kind, IncidentKind::non_finite_body);
+  EXPECT_EQ(reports.list[0].body_steps, 60u);
+  EXPECT_EQ(rotation.incidents(), 5u);
+  EXPECT_FALSE(rotation.rotation_of(spoiled).diverged);
+}
+
+TEST_P(NonFiniteBody, LeavesEveryBodyFiniteAfterEveryStepOfAnAttachedPlugin) {
+  Scene<> scene;
+  RotationPlugin plugin(scene.world());
+  Reports reports(plugin.rotation());
+  add_pile(scene);
+  scene.step(kDt, 60);
+  GetParam().spoil(*scene.bodies()[10]);
+  for (int i = 0; i < 60; ++i) {
+    scene.step(kDt);
+    ASSERT_EQ(bodies_not_finite(scene.bodies()), 0) << i;
+  }
+  // Those that the solver reached before an action could see it are mended too, and reported each once.
+  EXPECT_GE(plugin.rotation().incidents(), 1u);
+  EXPECT_EQ(reports.list.size(), plugin.rotation().incidents());
+  // The pile goes on standing: nobody was thrown.
+  for (const auto& body : scene.bodies()) EXPECT_LE(body->getLinearVelocity().length(), 5);
+}
+
+TEST_P(NonFiniteBody, IsReportedAloneByAnAttachedPluginThatIsToldBeforeTheStep) {
+  Scene<> scene;
+  RotationPlugin plugin(scene.world());
+  Reports reports(plugin.rotation());
+  add_pile(scene);
+  scene.step(kDt, 60);
+  GetParam().spoil(*scene.bodies()[10]);
+  plugin.take_over_changes();
+  scene.step(kDt, 60);
+  ASSERT_EQ(reports.list.size(), 1u);
+  EXPECT_EQ(reports.list[0].body, scene.bodies()[10].get());
+  EXPECT_EQ(bodies_not_finite(scene.bodies()), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, NonFiniteBody, ::testing::ValuesIn(kCases),
+                         [](const auto& spoiled) { return spoiled.param.name; });
+
+// A scheme whose third step gives NaN.
+class Breaking final : public RotationScheme {
+ public:
+  SchemeDescription description() const noexcept override { return {"breaking", "", "", ""}; }
+  void step(const StepInput& input, RotationState& state) const noexcept override {
+    state.omega_W += input.delta_omega_W;
+    if (state.q_WB.z() > 0.05) state.omega_W.x() = std::numeric_limits<double>::quiet_NaN();
+    state.q_WB = (state.q_WB * Quaternion(0.999, 0.0, 0.0, 0.03)).normalized();
+    state.R_WB = state.q_WB.toRotationMatrix();
+  }
+};
+
+TEST(BrokenScheme, LeavesThePileFiniteAndTheBodyAtItsLastFiniteState) {
+  Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
+  RotationControl& rotation = scene.world().rotation();
+  Reports reports(rotation);
+  add_pile(scene);
+  scene.step(kDt, 60);
+  btRigidBody& body = *scene.bodies()[10];
+  rotation.set_scheme(body, std::make_shared<Breaking>());
+  for (int i = 0; i < 60; ++i) {
+    scene.step(kDt);
+    ASSERT_EQ(bodies_not_finite(scene.bodies()), 0) << i;
+  }
+  ASSERT_EQ(reports.list.size(), 1u);
+  EXPECT_EQ(reports.list[0].kind, IncidentKind::scheme_diverged);
+  EXPECT_EQ(rotation.incidents(), 1u);
+  const BodyRotation last = rotation.rotation_of(body);
+  EXPECT_TRUE(last.diverged);
+  EXPECT_TRUE(last.state.all_finite());
+  EXPECT_EQ(last.steps, reports.list[0].body_steps);
+  EXPECT_EQ(last.scheme, "breaking");
+}
+
+TEST(BrokenScheme, StartsAfreshWhenAnotherIsSet) {
+  Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
+  RotationControl& rotation = scene.world().rotation();
+  btRigidBody& body = scene.add_free(btVector3(btScalar(24.1449), btScalar(28.436), btScalar(118.812)),
+                                     btVector3(btScalar(0.1), 10, 0));
+  rotation.set_scheme(body, "semi_implicit_gyroscopic");
+  scene.step(btScalar(0.03), 1000);
+  ASSERT_TRUE(rotation.rotation_of(body).diverged);
+  EXPECT_EQ(body.getAngularVelocity(), btVector3(0, 0, 0));
+  rotation.set_scheme(body, "quaternion");
+  body.setAngularVelocity(btVector3(0, 1, 0));
+  scene.step(kDt, 10);
+  EXPECT_FALSE(rotation.rotation_of(body).diverged);
+  EXPECT_EQ(rotation.rotation_of(body).steps, 10u);
+}
+
+TEST(IncidentHandler, ThatThrowsDoesNotReachTheStep) {
+  Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
+  scene.world().rotation().set_incident_handler([](const Incident&) { throw 1; });
+  btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(kNan, 0, 0));
+  EXPECT_NO_THROW(scene.step(kDt));
+  EXPECT_EQ(scene.world().rotation().incidents(), 1u);
+  EXPECT_TRUE(is_finite(body));
+}
+
+TEST(MendedBody, KeepsWhatWasFinite) {
+  Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
+  btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  body.setWorldTransform(btTransform(btQuaternion(1, 2, 3, 4).normalized(), btVector3(5, 6, 7)));
+  body.setLinearVelocity(btVector3(1, 0, kNan));
+  scene.step(kDt);
+  const BodyRotation rotation = scene.world().rotation().rotation_of(body);
+  EXPECT_EQ(rotation.steps, 1u);
+  EXPECT_EQ(body.getWorldTransform().getOrigin(), btVector3(5, 6, 7));
+  EXPECT_EQ(body.getLinearVelocity(), btVector3(0, 0, 0));
+  EXPECT_GT(rotation.state.omega_W.norm(), 5.0);
+}
+
+TEST(StepOfNanSeconds, LeavesEveryBodyFinite) {
+  Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
+  btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  scene.step(kDt);
+  scene.world().stepSimulation(kNan, 0, kNan);
+  EXPECT_TRUE(is_finite(body));
+}
+
+}  // namespace
+}  // namespace polhode::testing
