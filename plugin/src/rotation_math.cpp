@@ -85,6 +85,11 @@ Vector3 implicit_gyroscopic_change_B(const Vector3& inertia_B, const Vector3& om
   return -jacobian.colPivHouseholderQr().solve(residual);
 }
 
+Vector3 implicit_gyroscopic_change_W(const RotationState& state, const Vector3& inertia_B, double dt) {
+  const Vector3 omega_B = state.R_WB.transpose() * state.omega_W;
+  return state.R_WB * implicit_gyroscopic_change_B(inertia_B, omega_B, dt);
+}
+
 void set_orientation(RotationState& state, const Quaternion& q_WB) {
   state.q_WB = q_WB;
   state.R_WB = q_WB.toRotationMatrix();

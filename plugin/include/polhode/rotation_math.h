@@ -37,6 +37,9 @@ inline constexpr double kBulletTurnLimit = 0.78539816339744831;  // pi/4
 /// omega_B (handout eq. 7-9).
 Vector3 implicit_gyroscopic_change_B(const Vector3& inertia_B, const Vector3& omega_B, double dt);
 
+/// The same change in world axes, of a state whose R_WB is a rotation (handout eq. 10).
+Vector3 implicit_gyroscopic_change_W(const RotationState& state, const Vector3& inertia_B, double dt);
+
 /// Makes `q_WB` the state's orientation, R_WB with it.
 void set_orientation(RotationState& state, const Quaternion& q_WB);
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "bullet/body_identity.h"
 #include "bullet/managed_body.h"
@@ -131,6 +133,7 @@ class RotationControl::Implementation {
       settle(entry, body);
       if (entry.managed) note(entry, body, entry.managed->begin_step());
     });
+    report();
   }
 
   void finish_step(btScalar dt) {
@@ -144,6 +147,7 @@ class RotationControl::Implementation {
       finish_step(entry, body, dt);
     });
     if (seen < entries_.size()) forget_absent_bodies();
+    report();
   }
 
   void show_swollen_bodies() {
@@ -207,9 +211,19 @@ class RotationControl::Implementation {
     bool& reported = entry.reported[static_cast<std::size_t>(*kind)];
     if (reported || !handler) return;
     reported = true;
-    try {
-      handler({*kind, &body, entry.managed->rotation().steps});
-    } catch (...) {  // nothing may be thrown through Bullet's step
+    to_report_.push_back({*kind, &body, entry.managed->rotation().steps});
+  }
+
+  // When every body is done, since the handler may release, reassign or remove bodies.
+  void report() {
+    if (to_report_.empty()) return;
+    const std::vector<Incident> list = std::exchange(to_report_, {});
+    const IncidentHandler present_handler = handler;
+    for (const Incident& incident : list) {
+      try {
+        present_handler(incident);
+      } catch (...) {  // nothing may be thrown through Bullet's step
+      }
     }
   }
 
@@ -225,6 +239,7 @@ class RotationControl::Implementation {
   std::unordered_map<const btRigidBody*, Entry> entries_;
   BulletReplay replay_;
   std::uint64_t step_ = 0;
+  std::vector<Incident> to_report_;
   bool some_swell_ = false;  // whether a body's scheme may keep a basis that is no rotation
 };
 

@@ -20,9 +20,8 @@ namespace polhode::schemes {
 namespace {
 
 void step(const StepInput& input, RotationState& state) noexcept {
-  const Vector3 omega_B = state.R_WB.transpose() * state.omega_W;
-  const Vector3 change_B = implicit_gyroscopic_change_B(input.inertia_B, omega_B, input.dt);
-  const Vector3 omega_W = state.omega_W + input.delta_omega_W + state.R_WB * change_B;
+  const Vector3 omega_W =
+      state.omega_W + input.delta_omega_W + implicit_gyroscopic_change_W(state, input.inertia_B, input.dt);
   set_orientation(state, turn_by_euler(state.q_WB, omega_W, input.turn_dt));
   set_omega(state, input.inertia_B, omega_W);
 }

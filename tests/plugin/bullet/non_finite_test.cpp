@@ -189,6 +189,30 @@ TEST(IncidentHandler, ThatThrowsDoesNotReachTheStep) {
   EXPECT_TRUE(is_finite(body));
 }
 
+// Each of three bodies that diverge in one step is dealt with in another way.
+TEST(IncidentHandler, MayChooseAnotherSchemeReleaseOrRemoveTheBody) {
+  Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
+  RotationControl& rotation = scene.world().rotation();
+  rotation.set_default_scheme(std::make_shared<Breaking>());
+  btRigidBody& reassigned = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  btRigidBody& released = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  btRigidBody& removed = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  btRigidBody& last = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  int reports = 0;
+  rotation.set_incident_handler([&](const Incident& incident) {
+    ++reports;
+    if (incident.body == &reassigned) rotation.set_scheme(reassigned, "quaternion");
+    if (incident.body == &released) rotation.release(released);
+    if (incident.body == &removed) scene.world().removeRigidBody(&removed);
+  });
+  scene.step(kDt, 20);
+  EXPECT_EQ(reports, 4);
+  EXPECT_EQ(rotation.rotation_of(reassigned).scheme, "quaternion");
+  EXPECT_FALSE(rotation.manages(released));
+  EXPECT_FALSE(removed.isInWorld());
+  EXPECT_TRUE(rotation.rotation_of(last).diverged);
+}
+
 TEST(MendedBody, KeepsWhatWasFinite) {
   Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));

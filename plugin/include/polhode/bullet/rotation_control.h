@@ -35,7 +35,8 @@ struct Incident {
   std::uint64_t body_steps;  ///< steps the body had taken
 };
 
-/// Called from within a step, once for each body and kind. What it throws is dropped.
+/// Called within a step, when its bodies are done; once for each body and kind. It may choose another scheme
+/// for the body, release it or take it out of the world. What it throws is dropped.
 using IncidentHandler = std::function<void(const Incident&)>;
 
 /// Which body of a world is rotated by which scheme, and how they are doing. A RotationWorld and a
