@@ -112,6 +112,10 @@ std::optional<IncidentKind> ManagedBody::finish_step(btScalar dt, BulletReplay& 
     start_is_known_ = true;
     return std::nullopt;
   }
+  return replace_turn(dt, replay);
+}
+
+std::optional<IncidentKind> ManagedBody::replace_turn(btScalar dt, BulletReplay& replay) {
   if (!same(body_->getInvInertiaDiagLocal(), known_inverse_inertia_B_)) {
     known_inverse_inertia_B_ = body_->getInvInertiaDiagLocal();
     state_.L_W = angular_momentum_W(state_.R_WB, inertia_B(*body_), state_.omega_W);

@@ -39,6 +39,7 @@ class ManagedBody {
   void clear_flags();
   void take_over_changes();
   void come_to_rest();
+  std::optional<IncidentKind> replace_turn(btScalar dt, BulletReplay& replay);
   double turned_fraction(btScalar dt) const;
   void take_over_move(const btVector3& solved_W, btScalar turn_dt, bool clamped, BulletReplay& replay);
   void start_from(const btVector3& solver_start_W);

@@ -40,7 +40,7 @@ const char* mismatch() {
 
 // Said when the program is loaded too: the first object of Bullet's that the application makes, long before
 // it reaches this library, may end it, since the loaded constructor writes past the object's end.
-[[maybe_unused]] const bool told_at_load = [] {
+[[maybe_unused]] const bool kToldAtLoad = [] {
   if (const char* message = mismatch()) std::fprintf(stderr, "%s\n", message);
   return true;
 }();

@@ -73,6 +73,7 @@ class RotationControl::Implementation {
   }
 
   void take_on_world() {
+    require_world();
     claim_.stake(*world_);
     settle_all();
   }
@@ -95,8 +96,7 @@ class RotationControl::Implementation {
   }
 
   void choose(btRigidBody& body, Choice choice, SchemePointer scheme) {
-    if (world_ == nullptr)
-      throw std::logic_error("the world of this RotationControl is gone: no body can be chosen");
+    require_world();
     Entry& entry = entry_of(body);
     if (entry.managed) give_back(body);
     entry.choice = choice;
@@ -166,6 +166,10 @@ class RotationControl::Implementation {
     if (world_ == nullptr) return;
     btAlignedObjectArray<btRigidBody*>& bodies = world_->getNonStaticRigidBodies();
     for (int i = 0; i < bodies.size(); ++i) function(*bodies[i]);
+  }
+
+  void require_world() const {
+    if (world_ == nullptr) throw std::logic_error("the world of this RotationControl is gone");
   }
 
   // The body's entry; a new one if the address was another body's.
