@@ -293,8 +293,8 @@ BodyRotation RotationControl::rotation_of(const btRigidBody& body) const {
   const ManagedBody* managed = implementation_->find(body);
   if (managed == nullptr) {
     throw std::invalid_argument(
-        "this body is not rotated by the library: it was released, is static, or has not been seen in the "
-        "world yet");
+        "this body is not rotated by the library: it was released, is static or kinematic, the world has no "
+        "default scheme, or it has not been seen in the world yet");
   }
   return managed->rotation();
 }
