@@ -130,7 +130,7 @@ TEST_P(NonFiniteBody, IsReportedAloneByAnAttachedPluginThatIsToldBeforeTheStep) 
 INSTANTIATE_TEST_SUITE_P(, NonFiniteBody, ::testing::ValuesIn(kCases),
                          [](const auto& spoiled) { return spoiled.param.name; });
 
-// A scheme whose third step gives NaN.
+// A scheme that turns the body at a constant rate and gives NaN after a few steps.
 class Breaking final : public RotationScheme {
  public:
   SchemeDescription description() const noexcept override { return {"breaking", "", "", ""}; }
