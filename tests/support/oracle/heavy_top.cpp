@@ -1,0 +1,31 @@
+#include "support/oracle/heavy_top.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace polhode::oracle {
+
+// A cos(tilt) Omega^2 - C spin Omega + m g l = 0 with the moments A, C about the point held (Landau &
+// Lifshitz, section 35, problem 1). Its smaller root, written so that nothing cancels for a fast top, nor is
+// 0/0 for one on its side.
+double slow_precession(const HeavyTop& top, double tilt, double spin) {
+  const double about_point = top.transverse + top.mass * top.length * top.length;
+  const double axial_momentum = top.axial * spin;
+  const double torque = top.mass * top.gravity * top.length;
+  const double discriminant = axial_momentum * axial_momentum - 4.0 * about_point * std::cos(tilt) * torque;
+  if (!(discriminant >= 0.0) || spin == 0.0) {
+    throw std::invalid_argument("slow_precession: the top spins too slowly to precess steadily");
+  }
+  return 2.0 * torque / (axial_momentum + std::copysign(std::sqrt(discriminant), spin));
+}
+
+SteadyTop steadily_precessing(const HeavyTop& top, double tilt, double spin) {
+  const double precession = slow_precession(top, tilt, spin);
+  SteadyTop result;
+  result.axis_W = {std::sin(tilt), 0.0, std::cos(tilt)};
+  result.omega_W = precession * Vector3::UnitZ() + (spin - precession * std::cos(tilt)) * result.axis_W;
+  result.velocity_W = result.omega_W.cross(top.length * result.axis_W);
+  return result;
+}
+
+}  // namespace polhode::oracle
