@@ -102,7 +102,9 @@ void set_omega(RotationState& state, const Vector3& inertia_B, const Vector3& om
 
 void set_angular_momentum(RotationState& state, const Vector3& inertia_B, const Vector3& L_W) {
   state.L_W = L_W;
-  state.omega_W = inverse_inertia_W(state.R_WB, inertia_B) * L_W;
+  // R (I^-1 (R^T L)), not (R I^-1 R^T) L: where the moments differ by orders of magnitude the matrix loses
+  // digits.
+  state.omega_W = state.R_WB * Vector3(state.R_WB.transpose() * L_W).cwiseQuotient(inertia_B);
 }
 
 }  // namespace polhode

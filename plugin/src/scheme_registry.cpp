@@ -27,6 +27,10 @@ std::string_view to_string(Conservation conservation) {
   return "not";
 }
 
+std::string order_text(std::optional<int> order) {
+  return order ? std::to_string(*order) : "exact";
+}
+
 const std::vector<SchemePointer>& built_in_schemes() {
   static const std::vector<SchemePointer> list = {
 #define POLHODE_SCHEME(name) unowned(schemes::name()),
@@ -45,7 +49,7 @@ SchemePointer find_scheme(std::string_view name) {
 }
 
 SchemePointer default_scheme() {
-  return unowned(schemes::implicit_gyroscopic());
+  return unowned(schemes::exact());
 }
 
 std::string scheme_names() {

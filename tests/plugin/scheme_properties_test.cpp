@@ -56,28 +56,40 @@ TEST_P(EveryScheme, ConvergesWithTheOrderItDeclares) {
     const RotationState end = run(start_, duration, steps);
     return angle_between(end.q_WB, exact.q_WB) + (end.omega_W - exact.omega_W).norm();
   };
-  const double slope = std::log2(error(4000) / error(8000));
-  // measured 0.9999 to 1.0002
-  EXPECT_NEAR(slope, scheme().description().order, 0.002);
+  const std::optional<int> order = scheme().description().order;
+  if (!order) {
+    // measured 5.5e-13, nearly all of it the reference's
+    EXPECT_LE(error(50), 2e-12);
+    return;
+  }
+  // Fine enough for the leading term of the error, coarse enough for it to stand far above rounding.
+  const int steps = *order == 1 ? 4000 : *order == 2 ? 1000 : 200;
+  const double slope = std::log2(error(steps) / error(2 * steps));
+  EXPECT_NEAR(slope, *order,
+              *order < 4 ? 0.002 : 0.02);  // measured 0.9999 to 1.0002, 2.00000, 3.995 to 3.997
 }
 
 TEST_P(EveryScheme, KeepsWhatItDeclaresExactAndLosesWhatItDeclaresLost) {
-  const Drift after_2_s = drift(2.0, 480);
-  const Drift after_4_s = drift(4.0, 960);
   const SchemeDescription declared = scheme().description();
-  const auto check = [](Conservation conservation, double error, double error_after_twice_the_time) {
+  // What a scheme of order 4 loses shows in large steps only: of some 13 degrees, else of 1.3.
+  const bool high_order = declared.order.value_or(1) >= 4;
+  const int steps = high_order ? 48 : 480;
+  const Drift after_2_s = drift(2.0, steps);
+  const Drift after_4_s = drift(4.0, 2 * steps);
+  const auto check = [high_order](Conservation conservation, double error,
+                                  double error_after_twice_the_time) {
     switch (conservation) {
       case Conservation::exact:
-        // measured 0 for L, 2.0e-15 for det R
-        EXPECT_LE(error_after_twice_the_time, 1e-14);
+        // measured 0 for L, 2.0e-15 for det R, 3.8e-15 for energy
+        EXPECT_LE(error_after_twice_the_time, 2e-14);
         break;
       case Conservation::bounded:
         EXPECT_LE(error_after_twice_the_time, 1.2 * error);
         EXPECT_LE(error, 0.1);
         break;
       case Conservation::lost:
-        // measured 0.0176 to 0.29
-        EXPECT_GT(error, 0.01);
+        // measured 0.0176 to 0.29; 3.4e-5 with order 4
+        EXPECT_GT(error, high_order ? 1e-5 : 0.01);
         EXPECT_GT(error_after_twice_the_time, 1.01 * error);
         break;
     }

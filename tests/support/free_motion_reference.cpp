@@ -8,38 +8,54 @@ namespace {
 
 using Coefficients = Eigen::Vector4d;  // x, y, z, w
 
-Vector3 omega_of(const Vector3& inertia_B, const Coefficients& q, const Vector3& L_W) {
-  const Matrix3 R_WB = Eigen::Quaterniond(q).normalized().toRotationMatrix();
-  return R_WB * (R_WB.transpose() * L_W).cwiseQuotient(inertia_B);
+struct Motion {
+  Coefficients q_WB;
+  Vector3 L_W;
+
+  Motion operator+(const Motion& other) const { return {q_WB + other.q_WB, L_W + other.L_W}; }
+  Motion operator*(double factor) const { return {factor * q_WB, factor * L_W}; }
+};
+
+Matrix3 matrix_of(const Motion& motion) {
+  return Eigen::Quaterniond(motion.q_WB).normalized().toRotationMatrix();
 }
 
-Coefficients rate_of(const Vector3& inertia_B, const Coefficients& q, const Vector3& L_W) {
-  const Vector3 omega_W = omega_of(inertia_B, q, L_W);
+Vector3 omega_of(const Vector3& inertia_B, const Motion& motion) {
+  const Matrix3 R_WB = matrix_of(motion);
+  return R_WB * (R_WB.transpose() * motion.L_W).cwiseQuotient(inertia_B);
+}
+
+Coefficients turn_rate_of(const Vector3& inertia_B, const Motion& motion) {
+  const Vector3 omega_W = omega_of(inertia_B, motion);
   const Eigen::Quaterniond omega(0.0, omega_W.x(), omega_W.y(), omega_W.z());
-  return 0.5 * (omega * Eigen::Quaterniond(q)).coeffs();
+  return 0.5 * (omega * Eigen::Quaterniond(motion.q_WB)).coeffs();
 }
 
 }  // namespace
 
-RotationState integrate_finely(const Vector3& inertia_B, RotationState state, double duration, int steps,
-                               const Vector3& torque_W) {
+RotationState integrate_finely(const Vector3& inertia_B, const RotationState& start, double duration,
+                               int steps, const Vector3& torque_W, bool turns_with_body) {
   const double h = duration / steps;
-  const Vector3 L_start_W = state.L_W;
-  Coefficients q = state.q_WB.coeffs();
+  const Vector3 torque_B = start.q_WB.toRotationMatrix().transpose() * torque_W;
+  const auto rate = [&](const Motion& motion) {
+    const Vector3 torque_now_W = turns_with_body ? Vector3(matrix_of(motion) * torque_B) : torque_W;
+    return Motion{turn_rate_of(inertia_B, motion), torque_now_W};
+  };
+  Motion motion{start.q_WB.coeffs(), start.L_W};
   for (int step = 0; step < steps; ++step) {
-    const auto L_W = [&](double stage) { return Vector3(L_start_W + (step + stage) * h * torque_W); };
-    const Coefficients k1 = rate_of(inertia_B, q, L_W(0.0));
-    const Coefficients k2 = rate_of(inertia_B, q + 0.5 * h * k1, L_W(0.5));
-    const Coefficients k3 = rate_of(inertia_B, q + 0.5 * h * k2, L_W(0.5));
-    const Coefficients k4 = rate_of(inertia_B, q + h * k3, L_W(1.0));
-    q += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-    q.normalize();
+    const Motion k1 = rate(motion);
+    const Motion k2 = rate(motion + k1 * (0.5 * h));
+    const Motion k3 = rate(motion + k2 * (0.5 * h));
+    const Motion k4 = rate(motion + k3 * h);
+    motion = motion + (k1 + k2 * 2.0 + k3 * 2.0 + k4) * (h / 6.0);
+    motion.q_WB.normalize();
   }
-  state.q_WB.coeffs() = q;
-  state.R_WB = state.q_WB.toRotationMatrix();
-  state.L_W = L_start_W + duration * torque_W;
-  state.omega_W = omega_of(inertia_B, q, state.L_W);
-  return state;
+  RotationState end;
+  end.q_WB.coeffs() = motion.q_WB;
+  end.R_WB = end.q_WB.toRotationMatrix();
+  end.L_W = motion.L_W;
+  end.omega_W = omega_of(inertia_B, motion);
+  return end;
 }
 
 double angle_between(const Quaternion& a, const Quaternion& b) {

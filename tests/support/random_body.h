@@ -11,7 +11,7 @@ namespace polhode::testing {
 /// 0.01 to 100 rad/s, orientations uniform over the rotations. Seeded, so that a failure repeats.
 class RandomBody {
  public:
-  explicit RandomBody(unsigned seed) : generator_(seed) {}
+  explicit RandomBody(unsigned start_seed) : generator_(start_seed) {}
 
   Vector3 inertia_B() { return {log_uniform(1e-2, 1e2), log_uniform(1e-2, 1e2), log_uniform(1e-2, 1e2)}; }
 

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "polhode/rotation_state.h"
+#include "polhode/scheme_memory.h"
 
 namespace polhode {
 
@@ -15,13 +18,17 @@ enum class Conservation {
 
 std::string_view to_string(Conservation conservation);
 
+/// "2", or "exact" for a motion without error.
+std::string order_text(std::optional<int> order);
+
 /// What a scheme says of itself. Tests hold every line of it against measurements.
 struct SchemeDescription {
   std::string_view name;                     ///< as in `set_scheme("name")`, whole words in snake_case
   std::string_view summary;                  ///< one line
   std::string_view source;                   ///< paper or text, with equation numbers
   std::string_view fails_when;               ///< one line
-  int order = 1;                             ///< order of convergence of the orientation in dt
+  std::optional<int> order = 1;              ///< of convergence of the orientation in dt, in free motion;
+                                             ///< none: there is no error but rounding
   Conservation energy = Conservation::lost;  ///< rotational kinetic energy
   Conservation angular_momentum = Conservation::lost;  ///< the vector L_W
   Conservation rotation = Conservation::exact;         ///< R_WB stays a rotation: det R_WB = 1
@@ -34,10 +41,15 @@ struct StepInput {
   double dt;              ///< length of the step, s
   double turn_dt;         ///< the part of dt that the orientation moves through, s: less than dt only where
                           ///< continuous collision detection stopped the body within the step
+
+  /// The torque on the body, N m, where it alone changed the velocity: delta_omega_W is then
+  /// dt I_W^-1 torque_W as Bullet rounds it. Zero where anything else acted too.
+  Vector3 torque_W = Vector3::Zero();
+  bool torque_turns_with_body = false;  ///< torque_W holds at the start and turns with the body's axes
 };
 
-/// A way to rotate a body. Stateless: a step depends on its arguments alone, so one object serves any number
-/// of bodies, worlds and threads. Applications derive their own and attach it like a built-in one.
+/// A way to rotate a body. Stateless: one object serves any number of bodies, worlds and threads.
+/// Applications derive their own and attach it like a built-in one.
 class RotationScheme {
  public:
   RotationScheme() = default;
@@ -51,6 +63,13 @@ class RotationScheme {
   /// change; on return its members agree as RotationState says. May produce non-finite values: the caller
   /// then keeps the last finite state and reports the body as diverged.
   virtual void step(const StepInput& input, RotationState& state) const noexcept = 0;
+
+  /// The same, for the caller that holds a memory for each body. It is for shortcuts only: the result is that
+  /// of step, up to rounding.
+  virtual void step_with_memory(const StepInput& input, RotationState& state,
+                                SchemeMemory& /*memory*/) const noexcept {
+    step(input, state);
+  }
 };
 
 }  // namespace polhode

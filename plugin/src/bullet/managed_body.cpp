@@ -1,6 +1,7 @@
 #include "bullet/managed_body.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "bullet/conversions.h"
 #include "bullet/locked_axes.h"
@@ -19,6 +20,14 @@ constexpr int kGyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
 // The fraction of a step at which continuous collision detection stopped a body is known to rounding only, so
 // in such a step a smaller turn by somebody else cannot be told from it. rad.
 constexpr double kTurnLostInClampedStep = 1e-3;
+
+// A torque is taken to turn with the body if in body axes, and less so in the world, it is what it was a step
+// before; to this, relative:
+// an application forms it from Bullet's basis, in single precision known to 1e-7.
+constexpr double kSameTorque = 1e-5;
+
+// Bullet's rounding of the velocity change that a torque makes, in units in the last place of its precision.
+constexpr double kRoundingOfTorque = 16.0;
 
 // Moments in kg m^2; 0 where the body does not turn about the axis, as in btRigidBody::getLocalInertia.
 Vector3 inertia_B(const btRigidBody& body) {
@@ -85,7 +94,7 @@ void ManagedBody::take_over_changes() {
   if (!turned && !kicked && !reshaped) return;
   if (turned) set_orientation(state_, to_quaternion(basis));
   if (kicked) state_.omega_W = to_double(body_->getAngularVelocity());
-  state_.L_W = angular_momentum_W(state_.R_WB, inertia_B(*body_), state_.omega_W);
+  agree_with_omega(state_);
   known_ = motion_of(*body_);
   known_inverse_inertia_B_ = body_->getInvInertiaDiagLocal();
 }
@@ -118,7 +127,7 @@ std::optional<IncidentKind> ManagedBody::finish_step(btScalar dt, BulletReplay& 
 std::optional<IncidentKind> ManagedBody::replace_turn(btScalar dt, BulletReplay& replay) {
   if (!same(body_->getInvInertiaDiagLocal(), known_inverse_inertia_B_)) {
     known_inverse_inertia_B_ = body_->getInvInertiaDiagLocal();
-    state_.L_W = angular_momentum_W(state_.R_WB, inertia_B(*body_), state_.omega_W);
+    agree_with_omega(state_);
   }
 
   // What Bullet integrated with; a later change of velocity (an action before us, speculative restitution) is
@@ -134,12 +143,12 @@ std::optional<IncidentKind> ManagedBody::replace_turn(btScalar dt, BulletReplay&
   start_from(solver_start_W);
 
   const RotationState start = state_;
-  const StepInput input{inertia_B(*body_), to_double(solved_W) - to_double(solver_start_W), dt,
-                        dt * fraction};
+  StepInput input{inertia_B(*body_), to_double(solved_W) - to_double(solver_start_W), dt, dt * fraction};
+  note_torque(input);
   RotationState next = stepped(input);
   if (!late_kick_W.isZero(0.0)) {
     next.omega_W += late_kick_W;
-    next.L_W = angular_momentum_W(next.R_WB, input.inertia_B, next.omega_W);
+    agree_with_omega(next);
   }
   if (!within_limits(next)) {
     stop_spinning();
@@ -149,6 +158,16 @@ std::optional<IncidentKind> ManagedBody::replace_turn(btScalar dt, BulletReplay&
   ++steps_;
   write(start, dt);
   return std::nullopt;
+}
+
+// Sets L_W to agree with omega_W. By the same formula everywhere, so that two histories of one state give the
+// same bits.
+void ManagedBody::agree_with_omega(RotationState& state) const {
+  if (keeps_rotation_) {
+    set_omega(state, inertia_B(*body_), state.omega_W);
+  } else {
+    state.L_W = angular_momentum_W(state.R_WB, inertia_B(*body_), state.omega_W);
+  }
 }
 
 // Bullet stops a body that has just fallen asleep after the actions of the step: should it wake in the very
@@ -186,17 +205,43 @@ void ManagedBody::take_over_move(const btVector3& solved_W, btScalar turn_dt, bo
   const Matrix3 R_WB = state_.R_WB * turn_B.toRotationMatrix();
   set_orientation(state_, q_WB);
   if (!keeps_rotation_) state_.R_WB = R_WB;
-  state_.L_W = angular_momentum_W(state_.R_WB, inertia_B(*body_), state_.omega_W);
+  agree_with_omega(state_);
 }
 
 // The velocity the solver starts from differs from the one written last by damping, or is not known.
 void ManagedBody::start_from(const btVector3& solver_start_W) {
   if (same(solver_start_W, known_.omega_W)) return;
   state_.omega_W += to_double(solver_start_W) - to_double(known_.omega_W);
-  state_.L_W = angular_momentum_W(state_.R_WB, inertia_B(*body_), state_.omega_W);
+  agree_with_omega(state_);
 }
 
-RotationState ManagedBody::stepped(const StepInput& input) const {
+// Tells the scheme of a torque that acted alone. Bullet keeps torques until the end of stepSimulation; one
+// that the solver did not see, since it was applied after it, does not explain the change and is left out.
+void ManagedBody::note_torque(StepInput& input) {
+  const Vector3 torque_W = to_double(body_->getTotalTorque());
+  if (torque_W.isZero(0.0)) {
+    known_torque_W_.setZero();
+    known_torque_B_.setZero();
+    return;
+  }
+  const Vector3 torque_B = state_.R_WB.transpose() * torque_W;
+  const double change_in_body = (torque_B - known_torque_B_).norm();
+  const bool turns_with_body = change_in_body <= kSameTorque * torque_W.norm() &&
+                               change_in_body < (torque_W - known_torque_W_).norm();
+  known_torque_W_ = torque_W;
+  known_torque_B_ = torque_B;
+  if (has_unturnable_axis(*body_) || has_locked_axis(*body_) || input.turn_dt != input.dt) return;
+
+  const Vector3 change_W = input.dt * (inverse_inertia_W(state_.R_WB, input.inertia_B) * torque_W);
+  const double largest =
+      (state_.omega_W + input.delta_omega_W).norm() + input.dt * torque_W.norm() / input.inertia_B.minCoeff();
+  const double rounding = kRoundingOfTorque * std::numeric_limits<btScalar>::epsilon() * largest;
+  if ((input.delta_omega_W - change_W).norm() > rounding) return;
+  input.torque_W = torque_W;
+  input.torque_turns_with_body = turns_with_body;
+}
+
+RotationState ManagedBody::stepped(const StepInput& input) {
   RotationState next = state_;
   if (has_unturnable_axis(*body_)) {
     next.omega_W += input.delta_omega_W;
@@ -204,7 +249,7 @@ RotationState ManagedBody::stepped(const StepInput& input) const {
     set_omega(next, input.inertia_B, next.omega_W);
     return next;
   }
-  scheme_->step(input, next);
+  scheme_->step_with_memory(input, next, memory_);
   if (has_locked_axis(*body_)) hold_locked_axes(*body_, input, state_, next);
   return next;
 }

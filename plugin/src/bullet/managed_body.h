@@ -38,12 +38,14 @@ class ManagedBody {
  private:
   void clear_flags();
   void take_over_changes();
+  void agree_with_omega(RotationState& state) const;
   void come_to_rest();
   std::optional<IncidentKind> replace_turn(btScalar dt, BulletReplay& replay);
   double turned_fraction(btScalar dt) const;
   void take_over_move(const btVector3& solved_W, btScalar turn_dt, bool clamped, BulletReplay& replay);
   void start_from(const btVector3& solver_start_W);
-  RotationState stepped(const StepInput& input) const;
+  void note_torque(StepInput& input);
+  RotationState stepped(const StepInput& input);
   void stop_spinning();
   void write_pose();
   void write(const RotationState& start, double dt);
@@ -51,8 +53,11 @@ class ManagedBody {
   btRigidBody* body_;
   SchemePointer scheme_;
   RotationState state_;
+  SchemeMemory memory_;
   Motion known_;  // the body where it agrees with state_; always finite
   btVector3 known_inverse_inertia_B_;
+  Vector3 known_torque_W_ = Vector3::Zero();  // of the step before
+  Vector3 known_torque_B_ = Vector3::Zero();
   std::uint64_t steps_ = 0;
   int flags_of_application_ = 0;  // the gyroscopic ones
   bool keeps_rotation_;

@@ -113,10 +113,10 @@ TEST(RefusedScheme, SaysWhatIsValidAndChangesNothing) {
   btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   rotation.set_scheme(body, "matrix");
   EXPECT_THAT(message_of([&] { rotation.set_scheme(body, "matrx"); }),
-              HasSubstr("valid are matrix, quaternion"));
+              HasSubstr("valid are exact, matrix, quaternion"));
   EXPECT_THAT(message_of([&] { rotation.set_scheme(body, SchemePointer()); }), HasSubstr("null"));
   EXPECT_THAT(message_of([&] { rotation.set_default_scheme("matrx"); }),
-              HasSubstr("valid are matrix, quaternion"));
+              HasSubstr("valid are exact, matrix, quaternion"));
   EXPECT_THAT(message_of([&] { rotation.set_default_scheme(SchemePointer()); }),
               HasSubstr("clear_default_scheme"));
   EXPECT_EQ(rotation.rotation_of(body).scheme, "matrix");

@@ -111,8 +111,8 @@ TYPED_TEST(FastSpin, TurnsAsTheSchemeAloneDoes) {
     const double turn = next_turn(this->scene_, body);
     EXPECT_TRUE(shows(body, alone));
     if (scheme->description().name == "bullet") continue;
-    // The nearest is the exact law, omega dt, 0.0100 rad away.
-    EXPECT_GT(std::abs(turn - cut(omega_dt)), 0.009);
+    // The nearest is moser_veselov_4, 0.0038 rad away; the exact law, omega dt, is 0.0100 rad.
+    EXPECT_GT(std::abs(turn - cut(omega_dt)), 0.003);
   }
 }
 

@@ -75,7 +75,7 @@ TEST_F(ReusedAddress, GivesNothingOfTheOldBodyToTheNewInARotationWorld) {
   const BodyRotation rotation = scene.world().rotation().rotation_of(new_body);
   EXPECT_EQ(rotation.scheme, default_scheme()->description().name);
   EXPECT_EQ(rotation.steps, 1u);
-  EXPECT_EQ(rotation.state.omega_W, Vector3(0, 1, 0));
+  EXPECT_LE((rotation.state.omega_W - Vector3(0, 1, 0)).norm(), 1e-15);  // measured 2.2e-16
   scene.world().removeRigidBody(&new_body);
 }
 

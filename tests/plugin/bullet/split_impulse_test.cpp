@@ -60,8 +60,9 @@ TYPED_TEST(SplitImpulse, TurnsTheStateOfEveryScheme) {
     step_plain_world([&](int i, const btRigidBody& plain) {
       scene.step(kDt);
       const double error = angle_between(basis_of(box), basis_of(plain));
-      // measured 1.8e-7 in single, 5.8e-9 in double precision; by the third step 9.1e-6
-      EXPECT_LT(error, i == 0 ? by_precision(6e-7, 2e-8) : 3e-5);
+      // measured 1.4e-6, by which free motion parts from Bullet's turn at constant velocity in the first
+      // step; by the third 9.1e-6
+      EXPECT_LT(error, i == 0 ? 5e-6 : 3e-5);
       EXPECT_TRUE(shows(box, scene.rotation().rotation_of(box).state)) << i;
     });
   }

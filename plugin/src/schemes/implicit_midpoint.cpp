@@ -1,0 +1,51 @@
+// implicit_midpoint: the implicit midpoint rule for Euler's equations in the body frame.
+//
+//   y' - y = dt ybar x I_B^-1 ybar,  ybar = (y + y')/2      y, y' = L_B at the start and the end
+//   q_{t+1} = q_t cay(dt I_B^-1 ybar),  cay(v) = (1, v/2)/sqrt(1 + |v/2|^2)
+//
+// With a = (dt/2) I_B^-1 ybar the first line is y = ybar + a x ybar, y' = ybar - a x ybar, or
+//
+//   I_B a + a x I_B a = (dt/2) y,
+//
+// which is solved for a by Newton's method from (dt/2) omega_B. That turn takes y' to y, and so L_W
+// stays as it is.
+//
+// Source: M. A. Austin, P. S. Krishnaprasad, L.-S. Wang, J. Comput. Phys. 107 (1993) 105; D. Lewis and
+// J. C. Simo, J. Nonlinear Sci. 4 (1994) 253.
+// Order: 2. Conserves: energy, L_W, det R exactly.
+// Fails when: |omega| dt is not small: a plain spin turns by 2 atan(|omega| dt/2), never half a turn. Every
+// step has a solution, but past 2 rad it may not be the only one, and Newton's method may end on another than
+// that of short steps, or on none: the result is then not finite. Bodies that cannot exist, one moment far
+// above the sum of the others, get there sooner: of random ones with moments up to 1e4 apart 1 in 1000 finds
+// none at 0.1 rad.
+#include "schemes/cayley_turn.h"
+#include "schemes/kick_drift.h"
+#include "schemes/scheme_definition.h"
+
+namespace polhode::schemes {
+
+namespace {
+
+Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
+  const Vector3 half_impulse_B = 0.5 * dt * L_B;
+  const Vector3 half_turn_B = half_impulse_B.cwiseQuotient(inertia_B);
+  return turn_by_cayley(solve({inertia_B, half_impulse_B, 0.0}, half_turn_B));
+}
+
+void step(const StepInput& input, RotationState& state) noexcept {
+  kick_and_turn(input, state, turn_B);
+}
+
+}  // namespace
+
+const RotationScheme& implicit_midpoint() {
+  static const SchemeDefinition scheme(
+      {"implicit_midpoint", "implicit midpoint rule of Euler's equations with the Cayley map",
+       "Austin, Krishnaprasad, Wang 1993; Lewis and Simo 1994",
+       "|omega| dt is not small: a spin turns by 2 atan(|omega| dt / 2); past 2 some steps find no solution",
+       2, Conservation::exact, Conservation::exact, Conservation::exact},
+      step);
+  return scheme;
+}
+
+}  // namespace polhode::schemes

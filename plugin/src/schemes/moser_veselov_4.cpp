@@ -1,0 +1,58 @@
+// moser_veselov_4: `moser_veselov` with preprocessed moments of inertia, which make it of order 4.
+//
+//   1/I'_j = (1 + dt^2 s)/I_j + dt^2 d
+//   s = -(1/3) T (1/I_1 + 1/I_2 + 1/I_3) + (I_1 + I_2 + I_3)/(6 I_1 I_2 I_3) |L|^2/2
+//   d = (I_1 + I_2 + I_3)/(6 I_1 I_2 I_3) T - 1/(3 I_1 I_2 I_3) |L|^2/2,   T the kinetic energy
+//   I'_1 e0 e1 = (dt/2) L_1 + (I'_2 - I'_3) e2 e3, and cyclically,   q_{t+1} = q_t (e0, e)
+//
+// The energy of the moments I' is a combination of T and |L|^2, and so the scheme keeps T too.
+//
+// Source: E. Hairer and G. Vilmart, J. Phys. A 39 (2006) 13225.
+// Order: 4 in free motion, 2 under torques. Conserves: energy, L_W, det R exactly.
+// Fails when: |omega| dt > 1.4: a plain spin turns by asin(x - x^3/6), x = |omega| dt, which falls again from
+// there on. Past sqrt(6) a ball's I' is negative; from 2.2 on other bodies' steps have no solution that is
+// found, and the result is not finite. Bodies that cannot exist, one moment far above the sum of the others,
+// get there sooner: of random ones with moments up to 1e4 apart 1 in 5 at 0.5 rad.
+#include "schemes/cayley_turn.h"
+#include "schemes/kick_drift.h"
+#include "schemes/scheme_definition.h"
+
+namespace polhode::schemes {
+
+namespace {
+
+Vector3 preprocessed(const Vector3& inertia_B, const Vector3& L_B, double dt) {
+  const Vector3 inverse_inertia_B = inertia_B.cwiseInverse();
+  const double energy = 0.5 * L_B.dot(inverse_inertia_B.cwiseProduct(L_B));
+  const double half_L2 = 0.5 * L_B.squaredNorm();
+  const double product = inertia_B.prod();
+  const double ratio = inertia_B.sum() / (6.0 * product);
+  const double scale = -energy * inverse_inertia_B.sum() / 3.0 + ratio * half_L2;
+  const double shift = ratio * energy - half_L2 / (3.0 * product);
+  const Vector3 inverse_B = (1.0 + dt * dt * scale) * inverse_inertia_B + Vector3::Constant(dt * dt * shift);
+  return inverse_B.cwiseInverse();
+}
+
+Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
+  const Vector3 half_impulse_B = 0.5 * dt * L_B;
+  const Vector3 half_turn_B = half_impulse_B.cwiseQuotient(inertia_B);
+  return turn_by_cayley(solve({preprocessed(inertia_B, L_B, dt), half_impulse_B, 1.0}, half_turn_B));
+}
+
+void step(const StepInput& input, RotationState& state) noexcept {
+  kick_and_turn(input, state, turn_B);
+}
+
+}  // namespace
+
+const RotationScheme& moser_veselov_4() {
+  static const SchemeDefinition scheme(
+      {"moser_veselov_4", "the discrete rigid body with preprocessed moments of inertia",
+       "Hairer and Vilmart 2006",
+       "|omega| dt > 1.4: a spin turns by asin(x - x^3/6), x = |omega| dt; past 2.2 no solution may be found",
+       4, Conservation::exact, Conservation::exact, Conservation::exact},
+      step);
+  return scheme;
+}
+
+}  // namespace polhode::schemes
