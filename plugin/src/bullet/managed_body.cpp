@@ -226,8 +226,8 @@ void ManagedBody::note_torque(StepInput& input) {
   }
   const Vector3 torque_B = state_.R_WB.transpose() * torque_W;
   const double change_in_body = (torque_B - known_torque_B_).norm();
-  const bool turns_with_body = change_in_body <= kSameTorque * torque_W.norm() &&
-                               change_in_body < (torque_W - known_torque_W_).norm();
+  const bool turns_with_body =
+      change_in_body <= kSameTorque * torque_W.norm() && change_in_body < (torque_W - known_torque_W_).norm();
   known_torque_W_ = torque_W;
   known_torque_B_ = torque_B;
   if (has_unturnable_axis(*body_) || has_locked_axis(*body_) || input.turn_dt != input.dt) return;

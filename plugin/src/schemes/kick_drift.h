@@ -15,34 +15,34 @@
 /// that the drift does not break them.
 namespace polhode::schemes {
 
-/// The momentum that a step adds before its drift, or, after it, the rest.
-struct Kick {
-  Vector3 before_W;
-  Vector3 after_in_start_axes_W;
-};
-
-inline Kick kick_of(const StepInput& input, const RotationState& start) {
-  // In single precision a torque may be too weak to change Bullet's velocity; here it still counts.
-  if (!input.torque_W.isZero(0.0)) {
-    const Vector3 half_W = 0.5 * input.dt * input.torque_W;
-    return {half_W, half_W};
-  }
-  if (input.delta_omega_W.isZero(0.0)) return {Vector3::Zero(), Vector3::Zero()};
+/// I_W(q_t) delta_omega_W
+inline Vector3 kick_W(const StepInput& input, const RotationState& start) {
   const Vector3 delta_omega_B = start.R_WB.transpose() * input.delta_omega_W;
-  return {start.R_WB * input.inertia_B.cwiseProduct(delta_omega_B), Vector3::Zero()};
+  return start.R_WB * input.inertia_B.cwiseProduct(delta_omega_B);
+}
+
+/// Half the impulse of a torque that acts alone, in the axes of the state.
+inline Vector3 half_impulse_W(const StepInput& input, const Matrix3& R_start_WB, const RotationState& state) {
+  const Vector3 half_W = 0.5 * input.dt * input.torque_W;
+  if (!input.torque_turns_with_body) return half_W;
+  return state.R_WB * (R_start_WB.transpose() * half_W);
 }
 
 /// `drift(L_W)` turns the state's orientation by free motion at that momentum.
 template <class Drift>
 void kick_and_drift(const StepInput& input, RotationState& state, Drift drift) {
-  const Kick kick = kick_of(input, state);
-  const Matrix3 R_start_WB = state.R_WB;
-  const Vector3 L_W = state.L_W + kick.before_W;
-  drift(L_W);
-  const Vector3 after_W = input.torque_turns_with_body
-                              ? state.R_WB * (R_start_WB.transpose() * kick.after_in_start_axes_W)
-                              : kick.after_in_start_axes_W;
-  set_angular_momentum(state, input.inertia_B, L_W + after_W);
+  Vector3 L_W = state.L_W;
+  // In single precision a torque may be too weak to change Bullet's velocity; here it still counts.
+  if (!input.torque_W.isZero(0.0)) {
+    const Matrix3 R_start_WB = state.R_WB;
+    L_W += half_impulse_W(input, R_start_WB, state);
+    drift(L_W);
+    L_W += half_impulse_W(input, R_start_WB, state);
+  } else {
+    if (!input.delta_omega_W.isZero(0.0)) L_W += kick_W(input, state);
+    drift(L_W);
+  }
+  set_angular_momentum(state, input.inertia_B, L_W);
 }
 
 /// The same for a scheme whose drift is a turn of the body that depends on the momentum in body axes:

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "support/oracle/polhode_curve.h"
+
+namespace polhode::oracle {
+
+/// Where in its periods a motion is.
+struct Phases {
+  Real lambda;              ///< of a and b, reduced to |lambda| <= pi
+  Real u;                   ///< reduced to |u| <= K
+  Real to_end;              ///< K - |u|
+  bool odd_period = false;  ///< b has the other sign
+};
+
+/// The closed form's constants.
+struct Constants {
+  explicit Constants(const Polhode& polhode);
+  Phases phases_at(const Real& t) const;
+
+  bool separatrix = false;  ///< u has no period: K is infinite
+  bool hyperbolic = false;
+  Real K = 0, nu = 0, u0 = 0;
+  Real nome = 0;
+  Real p_or_psi = 0;     ///< what the circular, the hyperbolic series has
+  Real scale = 0;        ///< from u to x or w
+  Real lambda_rate = 0;  ///< rad/s
+  Real lambda_per_period = 0;
+
+ private:
+  void set_circular(const Polhode& polhode, const Real& K_complementary);
+  void set_hyperbolic(const Polhode& polhode, const Real& K_complementary);
+};
+
+}  // namespace polhode::oracle
