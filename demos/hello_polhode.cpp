@@ -1,4 +1,4 @@
-// Bullet's hello world, with one body rotated by Polhode. Build it with `polhode::bullet` linked.
+// Bullet's hello world, its bodies rotated by Polhode. Build it with `polhode::bullet` linked.
 #include <btBulletDynamicsCommon.h>
 #include <polhode/bullet/rotation_plugin.h>
 
@@ -28,11 +28,10 @@ int main() {
   world.addRigidBody(&ground);
   world.addRigidBody(&plate);
 
-  // From here on Polhode rotates every dynamic body of this world; it falls, collides and slides as before.
-  // Declared after the world, the plugin lets go of it first.
-  polhode::RotationPlugin plugin(world);
-  plugin.rotation().set_scheme(plate,
-                               "quaternion");  // this body's own choice; the others have the default scheme
+  // From here on Polhode rotates every dynamic body of this world, by its scheme without error; they fall,
+  // collide and slide as before. plugin.rotation() chooses other schemes, for one body or for all. Declared
+  // after the world, the plugin lets go of it first.
+  const polhode::RotationPlugin plugin(world);
 
   for (int step = 0; step <= 180; ++step) {
     if (step % 15 == 0) {

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "compare/interruption.h"
-#include "compare/progress_bar.h"
+#include "command_line/interruption.h"
+#include "command_line/progress_bar.h"
 #include "record/comparison_json.h"
 #include "record/csv.h"
 #include "record/output_file.h"

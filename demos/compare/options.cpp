@@ -1,55 +1,17 @@
 #include "compare/options.h"
 
-#include <CLI/CLI.hpp>
-#include <iostream>
-#include <stdexcept>
-
-#include "record/output_file.h"
+#include "command_line/parsing.h"
 #include "scenario/build_info.h"
-#include "scenario/number_text.h"
 #include "scenario/scenario.h"
 
 namespace polhode::demos {
 
 namespace {
 
-// Not left to CLI11, which reads numbers as the locale writes them.
 std::optional<double> seconds(const std::string& option, const std::optional<std::string>& text,
                               const Range& range) {
   if (!text) return std::nullopt;
-  const std::optional<double> value = parse_number(*text);
-  if (!value || !range.contains(*value)) {
-    throw std::invalid_argument(option + ": must be " + range_text(range) + ", is \"" + *text + "\"");
-  }
-  return value;
-}
-
-std::string option_names(const CLI::App& app) {
-  std::string names;
-  for (const CLI::Option* option : app.get_options()) {
-    names += (names.empty() ? "" : ", ") + option->get_name(false, true);
-  }
-  return names;
-}
-
-void check_files(const Options& options) {
-  if (options.csv && options.json && same_file(*options.csv, *options.json)) {
-    throw std::invalid_argument("--csv and --json: both are " + options.csv->string() +
-                                "; valid are two files");
-  }
-}
-
-// False: --help or --version was asked for, and printed.
-bool parse(CLI::App& app, int argument_count, char** arguments) {
-  try {
-    app.parse(argument_count, arguments);
-  } catch (const CLI::Success& asked_for_help) {
-    app.exit(asked_for_help, std::cout, std::cerr);
-    return false;
-  } catch (const CLI::ParseError& error) {
-    throw std::invalid_argument(std::string(error.what()) + "; valid options are " + option_names(app));
-  }
-  return true;
+  return option_number(option, *text, range);
 }
 
 }  // namespace
@@ -76,7 +38,7 @@ std::optional<Options> parse_options(int argument_count, char** arguments) {
   if (!parse(app, argument_count, arguments)) return std::nullopt;
   options.dt = seconds("--dt", dt, kDtRange);
   options.duration = seconds("--duration", duration, kDurationRange);
-  check_files(options);
+  check_different_files(options.csv, options.json);
   return options;
 }
 

@@ -21,6 +21,8 @@ Json contender_json(const ContenderFigures& contender) {
           {"worst_energy_error", number_or_null(figures.worst_energy_error)},
           {"worst_momentum_error", number_or_null(figures.worst_momentum_error)},
           {"worst_momentum_angle_rad", number_or_null(figures.worst_momentum_angle_rad)},
+          {"final_attitude_error_rad", number_or_null(figures.final_attitude_error_rad)},
+          {"worst_attitude_error_rad", number_or_null(figures.worst_attitude_error_rad)},
           {"final_det_R", figures.final_det_R},
           {"steps_past_cut", figures.steps_past_cut},
           {"diverged_at_s", number_or_null(figures.diverged_at_s)},

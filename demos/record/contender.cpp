@@ -38,7 +38,7 @@ std::vector<Contender> all_contenders() {
 }
 
 std::vector<Contender> default_contenders() {
-  std::vector<std::string> names = {"matrix", "quaternion", "semi_implicit_gyroscopic",
+  std::vector<std::string> names = {"exact", "matrix", "quaternion", "semi_implicit_gyroscopic",
                                     "implicit_gyroscopic"};
   for (const Contender& contender : bullet_contenders()) names.push_back(contender.name);
   return find_contenders(names);

@@ -22,7 +22,7 @@ struct Contender {
 /// Every registered scheme, then Bullet's modes.
 std::vector<Contender> all_contenders();
 
-/// The handout's four schemes and Bullet's modes.
+/// `exact`, the handout's four schemes and Bullet's modes.
 std::vector<Contender> default_contenders();
 
 /// Those of these names, in this order.

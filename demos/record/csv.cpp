@@ -6,7 +6,7 @@ namespace polhode::demos {
 
 std::string csv_header() {
   return "contender,step,t_s,q_w,q_x,q_y,q_z,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s,"
-         "L_x,L_y,L_z,energy_J,det_R\n";
+         "L_x,L_y,L_z,energy_J,det_R,attitude_error_rad\n";
 }
 
 std::string csv_row(const std::string& contender, const Sample& sample) {
@@ -18,7 +18,7 @@ std::string csv_row(const std::string& contender, const Sample& sample) {
                              omega_W.z(), L_W.x(), L_W.y(), L_W.z(), sample.energy_J, sample.det_R()}) {
     row += "," + full_number_text(value);
   }
-  return row + "\n";
+  return row + "," + (sample.attitude_error_rad ? full_number_text(*sample.attitude_error_rad) : "") + "\n";
 }
 
 }  // namespace polhode::demos

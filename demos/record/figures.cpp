@@ -27,6 +27,7 @@ FiguresRecorder::FiguresRecorder(const Sample& start, double dt)
     figures_.worst_momentum_angle_rad = 0.0;
   }
   add_energy(start.energy_J);
+  add_attitude(start.attitude_error_rad);
   figures_.final_det_R = start.det_R();
 }
 
@@ -36,6 +37,7 @@ void FiguresRecorder::add(const Sample& sample) {
   if (sample.state.omega_W.norm() * dt_ > kBulletTurnLimit) ++figures_.steps_past_cut;
   add_energy(sample.energy_J);
   add_momentum(sample.state.L_W);
+  add_attitude(sample.attitude_error_rad);
 }
 
 void FiguresRecorder::add_energy(double energy_J) {
@@ -51,6 +53,12 @@ void FiguresRecorder::add_momentum(const Vector3& L_W) {
   figures_.worst_momentum_error = std::max(*figures_.worst_momentum_error, error);
   figures_.worst_momentum_angle_rad =
       std::max(*figures_.worst_momentum_angle_rad, angle_between(L_W, start_L_W_));
+}
+
+void FiguresRecorder::add_attitude(const std::optional<double>& error_rad) {
+  figures_.final_attitude_error_rad = error_rad;
+  // An absent one is less than any.
+  figures_.worst_attitude_error_rad = std::max(figures_.worst_attitude_error_rad, error_rad);
 }
 
 }  // namespace polhode::demos

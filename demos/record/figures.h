@@ -11,13 +11,16 @@
 namespace polhode::demos {
 
 /// What a run comes down to: a row of the table. All of it is measured up to the divergence, if there was
-/// one. Errors relative to an energy or momentum that is zero at the start are absent.
+/// one. Errors relative to an energy or momentum that is zero at the start are absent, as is the attitude's
+/// where the exact motion is not known.
 struct Figures {
   std::int64_t steps = 0;                          ///< recorded, without the start
   std::optional<double> final_energy_error;        ///< E/E0 - 1: below 0 energy was lost
   std::optional<double> worst_energy_error;        ///< the largest |E/E0 - 1|
   std::optional<double> worst_momentum_error;      ///< the largest ||L|/|L0| - 1|
   std::optional<double> worst_momentum_angle_rad;  ///< the largest angle between L and L0
+  std::optional<double> final_attitude_error_rad;
+  std::optional<double> worst_attitude_error_rad;
   double final_det_R = 1.0;
   std::int64_t steps_past_cut = 0;  ///< in which |omega| dt > pi/4: Bullet's own turn is cut there
   std::optional<double> diverged_at_s;
@@ -37,6 +40,7 @@ class FiguresRecorder {
  private:
   void add_energy(double energy_J);
   void add_momentum(const Vector3& L_W);
+  void add_attitude(const std::optional<double>& error_rad);
 
   double start_energy_J_;
   Vector3 start_L_W_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "polhode/rotation_state.h"
 
@@ -13,6 +14,8 @@ struct Sample {
   RotationState state;
   /// Rotational, translational and potential; the latter is zero at the height of the world's origin.
   double energy_J = 0.0;
+  /// The angle between q_WB and the orientation that the exact motion from the start has, if that is known.
+  std::optional<double> attitude_error_rad = std::nullopt;
 
   double det_R() const { return state.R_WB.determinant(); }
   bool all_finite() const;

@@ -26,6 +26,8 @@ Row figures_row(const ContenderFigures& contender) {
           cell(figures.worst_energy_error, 3),
           cell(figures.worst_momentum_error, 3),
           cell(figures.worst_momentum_angle_rad, 3),
+          cell(figures.final_attitude_error_rad, 3),
+          cell(figures.worst_attitude_error_rad, 3),
           short_number_text(figures.final_det_R, 6),
           number_text(figures.steps_past_cut),
           cell(figures.diverged_at_s, 6),
@@ -62,9 +64,10 @@ std::string aligned_columns(const std::vector<Row>& rows, Align align) {
 }
 
 std::string comparison_table(const Comparison& comparison) {
-  std::vector<Row> rows = {
-      {"contender", "final", "worst", "worst", "worst angle", "final", "steps past", "diverged", "ns per"},
-      {"", "E/E0-1", "|E/E0-1|", "|L| error", "of L, rad", "det R", "pi/4 cut", "at t, s", "step"}};
+  std::vector<Row> rows = {{"contender", "final", "worst", "worst", "turn of", "attitude", "attitude",
+                            "final", "fast", "diverged", "ns per"},
+                           {"", "E/E0-1", "|E/E0-1|", "|L| error", "L, rad", "end, rad", "max, rad", "det R",
+                            "steps", "at t, s", "step"}};
   for (const ContenderFigures& contender : comparison.contenders) rows.push_back(figures_row(contender));
   return heading(comparison) + aligned_columns(rows, Align::right);
 }

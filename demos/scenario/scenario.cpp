@@ -7,6 +7,10 @@
 
 namespace polhode::demos {
 
+bool Scenario::is_torque_free() const {
+  return torque_W.isZero(0.0) && body.angular_damping == 0.0 && !constraint && !ground && others.empty();
+}
+
 std::int64_t step_count(double dt, double duration) {
   const double steps = duration / dt;
   // 1 s in steps of 1/60 s written with few digits may come to a little under a whole number of steps.

@@ -81,6 +81,10 @@ struct Scenario {
   int solver_iterations = 10;
   double dt = 0.0;
   double duration = 0.0;
+
+  /// Nothing exerts a torque on `body` about its centre of mass, and nothing can touch it. Gravity exerts
+  /// none.
+  bool is_torque_free() const;
 };
 
 /// Principal moments, kg m^2.

@@ -1,7 +1,10 @@
 #include "world/run.h"
 
+#include <algorithm>
 #include <chrono>
+#include <vector>
 
+#include "support/oracle/free_top.h"
 #include "world/scenario_world.h"
 
 namespace polhode::demos {
@@ -10,34 +13,87 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double ns_per_step(Clock::duration in_steps, std::int64_t steps) {
-  return std::chrono::duration<double, std::nano>(in_steps).count() / static_cast<double>(steps);
-}
+/// The usual time of a step: the median over up to 1000 equal stretches of a run, so that neither the first
+/// steps nor an interruption by other programs count.
+class StepTimer {
+ public:
+  explicit StepTimer(std::int64_t steps) : steps_per_stretch_((steps + kStretches - 1) / kStretches) {}
+
+  void add(Clock::duration step) {
+    in_stretch_ += step;
+    if (++steps_in_stretch_ == steps_per_stretch_) end_stretch();
+  }
+
+  double median_ns() {
+    if (ns_.empty()) end_stretch();
+    const auto middle = ns_.begin() + static_cast<std::ptrdiff_t>(ns_.size() / 2);
+    std::nth_element(ns_.begin(), middle, ns_.end());
+    return *middle;
+  }
+
+ private:
+  static constexpr std::int64_t kStretches = 1000;
+
+  void end_stretch() {
+    ns_.push_back(std::chrono::duration<double, std::nano>(in_stretch_).count() /
+                  static_cast<double>(steps_in_stretch_));
+    in_stretch_ = {};
+    steps_in_stretch_ = 0;
+  }
+
+  std::int64_t steps_per_stretch_;
+  std::int64_t steps_in_stretch_ = 0;
+  Clock::duration in_stretch_{};
+  std::vector<double> ns_;
+};
+
+/// How far a sample is from the exact motion. That starts from what the body itself says at the start, and
+/// goes by the moments and the time step that it really has: what Bullet rounded in the scenario is no error
+/// of the contender's.
+class AttitudeReference {
+ public:
+  AttitudeReference(const Scenario& scenario, const ScenarioWorld& world, const Sample& start)
+      : dt_s_(world.dt_s()) {
+    if (scenario.is_torque_free()) free_top_.emplace(world.inertia_B(), start.state.q_WB, start.state.L_W);
+  }
+
+  void compare(Sample& sample) const {
+    if (!free_top_) return;
+    sample.attitude_error_rad = free_top_->attitude_error_after(sample.state.q_WB, sample.step, dt_s_);
+  }
+
+ private:
+  std::optional<oracle::FreeTop> free_top_;
+  double dt_s_;
+};
 
 }  // namespace
 
 Figures run(const Scenario& scenario, const Contender& contender, const SampleObserver& observe) {
   ScenarioWorld world(scenario, contender);
-  const Sample start = world.sample().value();
+  Sample start = world.sample().value();
+  const AttitudeReference reference(scenario, world, start);
+  reference.compare(start);
   FiguresRecorder recorder(start, scenario.dt);
   observe(start);
   const std::int64_t steps = step_count(scenario.dt, scenario.duration);
-  Clock::duration in_steps{};
+  StepTimer timer(steps);
   std::int64_t step = 0;
   while (step < steps) {
     const Clock::time_point before = Clock::now();
     world.step();
-    in_steps += Clock::now() - before;
+    timer.add(Clock::now() - before);
     ++step;
-    const std::optional<Sample> sample = world.sample();
+    std::optional<Sample> sample = world.sample();
     if (!sample) {
       recorder.set_diverged(static_cast<double>(step) * scenario.dt);
       break;
     }
+    reference.compare(*sample);
     recorder.add(*sample);
     observe(*sample);
   }
-  recorder.set_ns_per_step(ns_per_step(in_steps, step));
+  recorder.set_ns_per_step(timer.median_ns());
   return recorder.figures();
 }
 

@@ -7,8 +7,8 @@
 
 #include "polhode/bullet/rotation_world.h"
 #include "polhode/rotation_limits.h"
-#include "polhode/rotation_math.h"
 #include "scenario/start_motion.h"
+#include "world/body_rotation.h"
 #include "world/conversions.h"
 
 namespace polhode::demos {
@@ -116,17 +116,13 @@ std::optional<RotationState> ScenarioWorld::rotation() const {
     const BodyRotation rotation = rotation_->rotation_of(body());
     return rotation.diverged ? std::nullopt : std::optional(rotation.state);
   }
-  const RotationState state = bullets_rotation();
+  const RotationState state = rotation_of(body());
   const bool sound = state.all_finite() && state.omega_W.norm() <= kMaximumAngularSpeed;
   return sound ? std::optional(state) : std::nullopt;
 }
 
-RotationState ScenarioWorld::bullets_rotation() const {
-  RotationState state;
-  state.R_WB = from_bullet(body().getWorldTransform().getBasis());
-  state.q_WB = Quaternion(state.R_WB).normalized();
-  set_omega(state, from_bullet(body().getLocalInertia()), from_bullet(body().getAngularVelocity()));
-  return state;
+Vector3 ScenarioWorld::inertia_B() const {
+  return inertia_of(body());
 }
 
 double ScenarioWorld::energy_J(const RotationState& state) const {

@@ -35,6 +35,11 @@ class ScenarioWorld {
   /// double state, for Bullet's modes it follows from the body's basis and velocity.
   std::optional<Sample> sample() const;
 
+  /// The recorded body's moments of inertia as Bullet, which keeps their inverses, has rounded them.
+  Vector3 inertia_B() const;
+  /// The length of a step as Bullet has rounded it.
+  double dt_s() const { return static_cast<double>(static_cast<btScalar>(scenario_.dt)); }
+
   btDiscreteDynamicsWorld& world() { return *world_; }
   /// The scenario's own body, then `others`, then the ground if there is one.
   const btRigidBody& body(std::size_t index = 0) const { return *bodies_.at(index); }
@@ -46,7 +51,6 @@ class ScenarioWorld {
   void add_constraint(const PointToPoint& constraint);
   btRigidBody& keep_body(BodyShape shape, btScalar mass);
   std::optional<RotationState> rotation() const;
-  RotationState bullets_rotation() const;
   double energy_J(const RotationState& state) const;
 
   Scenario scenario_;

@@ -84,7 +84,7 @@ const BadInput kBadInputs[] = {
      "valid is at most 1e+09"},
     {"unknown_contender",
      {"--contender", "cubic", "--json", "DIR/out.json"},
-     "valid are matrix, quaternion, semi_implicit_gyroscopic, implicit_gyroscopic, bullet, "},
+     "valid are exact, matrix, quaternion, semi_implicit_gyroscopic, implicit_gyroscopic, bullet, "},
     {"second_word_after_contender", {"--contender", "matrix", "quaternion"}, kOptions},
     {"contender_twice", {"--contender", "matrix", "--contender", "matrix"}, "valid is each once"},
     {"dt_no_number", {"--dt", "fast"}, kDt + "\"fast\""},

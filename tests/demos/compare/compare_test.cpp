@@ -49,7 +49,10 @@ TEST(Compare, TellsTheHandoutsStoryByDefault) {
   EXPECT_THAT(result.standard_output, HasSubstr("dt 0.03 s, 1000 steps"));
 
   auto figures = figures_by_contender(json);
-  EXPECT_EQ(figures.size(), 8u);
+  EXPECT_EQ(figures.size(), 9u);
+  EXPECT_LT(figures["exact"]["worst_attitude_error_rad"], 1e-9) << "exact has no error";  // measured 2.6e-11
+  EXPECT_LT(figures["exact"]["worst_energy_error"], 1e-14);                               // measured 1.3e-15
+  EXPECT_GT(figures["bullet:implicit_body"]["worst_attitude_error_rad"], 1.0) << "Bullet loses the motion";
   EXPECT_GT(figures["matrix"]["final_det_R"], 1.1) << "the matrix swells";  // measured 9.3e4
   EXPECT_NEAR(figures["quaternion"]["final_det_R"].get<double>(), 1.0, 1e-14)
       << "the quaternion does not";                                                      // measured 0
@@ -99,13 +102,13 @@ TEST(Compare, WritesEveryStepWithAllDigits) {
   compare(
       {"--scenario", "tumble", "--dt", "0.01", "--duration", "1", "--csv", (directory / "out.csv").string()});
   const std::vector<std::string> lines = split(read_file(directory / "out.csv"), '\n');
-  ASSERT_EQ(lines.size(), 1u + 8u * 101u);
+  ASSERT_EQ(lines.size(), 1u + 9u * 101u);
   EXPECT_EQ(lines[0],
             "contender,step,t_s,q_w,q_x,q_y,q_z,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s,L_x,L_y,L_z,energy_"
-            "J,det_R");
+            "J,det_R,attitude_error_rad");
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string> cells = split(lines[i], ',');
-    ASSERT_EQ(cells.size(), 15u);
+    ASSERT_EQ(cells.size(), 16u);
     EXPECT_EQ(cells[1], number_text(static_cast<std::int64_t>((i - 1) % 101)));
     for (std::size_t column = 2; column < cells.size(); ++column) {
       const std::optional<double> value = parse_number(cells[column]);
@@ -126,13 +129,13 @@ TEST(Compare, StartsTheRecordWhereTheScenarioStarts) {
     const std::vector<std::string> values(cells.begin() + 2, cells.end());
     // L = I omega and E = 1/2 omega . L: whole numbers, the same in both precisions up to what Bullet's 1/I
     // loses
-    const double expected[] = {0, 1, 0, 0, 0, 3, 2, 4, 3, 4, 12, 32.5, 1};
+    const double expected[] = {0, 1, 0, 0, 0, 3, 2, 4, 3, 4, 12, 32.5, 1, 0};
     for (std::size_t i = 0; i < values.size(); ++i) {
       EXPECT_NEAR(parse_number(values[i]).value(), expected[i], 2e-6)
           << cells[0] << " column " << i + 2;  // measured 7.2e-7 in single, 0 in double
     }
   }
-  EXPECT_EQ(starts, 8);
+  EXPECT_EQ(starts, 9);
 }
 
 TEST(Compare, WritesTheSameDigitsInAnyLocale) {

@@ -27,11 +27,11 @@ TEST(Contenders, AreEveryRegisteredSchemeAndThenBulletsModes) {
     EXPECT_FALSE(contender.summary.empty()) << contender.name;
 }
 
-TEST(Contenders, AreTheHandoutsAndBulletsByDefault) {
+TEST(Contenders, AreTheExactOneTheHandoutsAndBulletsByDefault) {
   EXPECT_THAT(names_of(default_contenders()),
-              testing::ElementsAre("matrix", "quaternion", "semi_implicit_gyroscopic", "implicit_gyroscopic",
-                                   "bullet:none", "bullet:explicit", "bullet:implicit_world",
-                                   "bullet:implicit_body"));
+              testing::ElementsAre("exact", "matrix", "quaternion", "semi_implicit_gyroscopic",
+                                   "implicit_gyroscopic", "bullet:none", "bullet:explicit",
+                                   "bullet:implicit_world", "bullet:implicit_body"));
 }
 
 TEST(Contenders, KeepTheOrderTheyAreAskedForIn) {
@@ -45,7 +45,7 @@ TEST(Contenders, AreRefusedWithTheValidNamesOrWhenGivenTwice) {
         find_contenders({"matrix", "cubic"});
       },
       testing::ThrowsMessage<std::invalid_argument>(
-          testing::AllOf(testing::StartsWith("unknown contender \"cubic\"; valid are matrix, "),
+          testing::AllOf(testing::StartsWith("unknown contender \"cubic\"; valid are exact, matrix, "),
                          testing::EndsWith("bullet:implicit_body"))));
   EXPECT_THAT(
       [] {

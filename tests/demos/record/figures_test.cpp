@@ -58,6 +58,24 @@ TEST(Figures, CountStepsPastBulletsCutWithoutTheStart) {
   EXPECT_EQ(recorder.figures().steps_past_cut, 1);
 }
 
+TEST(Figures, KeepTheLastAndTheWorstAttitudeErrorWhereThereIsOne) {
+  const auto sample_off_by = [](std::int64_t step, std::optional<double> error_rad) {
+    Sample sample = sample_with(step, kSpin, kSpin, 1.0);
+    sample.attitude_error_rad = error_rad;
+    return sample;
+  };
+  FiguresRecorder recorder(sample_off_by(0, 1e-19), 0.1);
+  recorder.add(sample_off_by(1, 0.75));
+  recorder.add(sample_off_by(2, 0.25));
+  EXPECT_EQ(recorder.figures().worst_attitude_error_rad, 0.75);
+  EXPECT_EQ(recorder.figures().final_attitude_error_rad, 0.25);
+
+  FiguresRecorder without(sample_off_by(0, std::nullopt), 0.1);
+  without.add(sample_off_by(1, std::nullopt));
+  EXPECT_FALSE(without.figures().worst_attitude_error_rad);
+  EXPECT_FALSE(without.figures().final_attitude_error_rad);
+}
+
 TEST(Figures, ShowASwollenBasis) {
   Sample swollen = sample_with(1, kSpin, kSpin, 1.0);
   swollen.state.R_WB *= 2.0;

@@ -23,6 +23,8 @@ Comparison small_comparison() {
   figures.steps = 1234567;
   figures.final_energy_error = -0.5;
   figures.worst_energy_error = 1234.5678;
+  figures.final_attitude_error_rad = 0.0012345;
+  figures.worst_attitude_error_rad = 1.5;
   figures.final_det_R = 1.25;
   figures.steps_past_cut = 1234;
   figures.diverged_at_s = 1.5;
@@ -39,10 +41,11 @@ Sample small_sample() {
   sample.state.omega_W = {5.5, 6, 7};
   sample.state.L_W = {8, 9, 10000.5};
   sample.energy_J = -11;
+  sample.attitude_error_rad = 0.25;
   return sample;
 }
 
-constexpr char kRow[] = "a:b,12345,0.10000000000000001,1,2,3,4,5.5,6,7,8,9,10000.5,-11,1\n";
+constexpr char kRow[] = "a:b,12345,0.10000000000000001,1,2,3,4,5.5,6,7,8,9,10000.5,-11,1,0.25\n";
 
 TEST(Table, IsAlignedWithADashWhereAFigureIsAbsent) {
   std::string text = comparison_table(small_comparison());
@@ -51,10 +54,14 @@ TEST(Table, IsAlignedWithADashWhereAFigureIsAbsent) {
             "thing: turns\n"
             "dt 0.5 s, 10000 steps, double-precision Bullet\n"
             "\n"
-            "contender       final     worst      worst  worst angle  final  steps past  diverged  ns per\n"
-            "               E/E0-1  |E/E0-1|  |L| error    of L, rad  det R    pi/4 cut   at t, s    step\n"
-            "first            -0.5  1.23e+03          -            -   1.25        1234       1.5    1234\n"
-            "second_longer       -         -          -            -      1           0         -       0\n");
+            "contender       final     worst      worst  turn of  attitude  attitude  final   fast  diverged "
+            " ns per\n"
+            "               E/E0-1  |E/E0-1|  |L| error   L, rad  end, rad  max, rad  det R  steps   at t, s "
+            "   step\n"
+            "first            -0.5  1.23e+03          -        -   0.00123       1.5   1.25   1234       1.5 "
+            "   1234\n"
+            "second_longer       -         -          -        -         -         -      1      0         - "
+            "      0\n");
 }
 
 TEST(Table, IsTheSameInAnyLocale) {
@@ -66,8 +73,14 @@ TEST(Table, IsTheSameInAnyLocale) {
 TEST(Csv, HasTheDocumentedColumns) {
   EXPECT_EQ(csv_header(),
             "contender,step,t_s,q_w,q_x,q_y,q_z,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s,L_x,L_y,L_z,energy_"
-            "J,det_R\n");
+            "J,det_R,attitude_error_rad\n");
   EXPECT_EQ(csv_row("a:b", small_sample()), kRow);
+}
+
+TEST(Csv, LeavesTheAttitudeErrorEmptyWhereTheExactMotionIsNotKnown) {
+  Sample sample = small_sample();
+  sample.attitude_error_rad.reset();
+  EXPECT_THAT(csv_row("a:b", sample), testing::EndsWith(",-11,1,\n"));
 }
 
 TEST(Csv, IsTheSameInAnyLocale) {
@@ -88,11 +101,15 @@ TEST(ComparisonJson, HasNullWhereAFigureIsAbsent) {
   EXPECT_EQ(first["worst_energy_error"], 1234.5678);
   EXPECT_EQ(first["worst_momentum_error"], nullptr);
   EXPECT_EQ(first["worst_momentum_angle_rad"], nullptr);
+  EXPECT_EQ(first["final_attitude_error_rad"], 0.0012345);
+  EXPECT_EQ(first["worst_attitude_error_rad"], 1.5);
   EXPECT_EQ(first["final_det_R"], 1.25);
   EXPECT_EQ(first["steps_past_cut"], 1234);
   EXPECT_EQ(first["diverged_at_s"], 1.5);
   EXPECT_EQ(first["ns_per_step"], 1234.9);
   EXPECT_EQ(json["contenders"][1]["diverged_at_s"], nullptr);
+  EXPECT_EQ(json["contenders"][1]["final_attitude_error_rad"], nullptr);
+  EXPECT_EQ(json["contenders"][1]["worst_attitude_error_rad"], nullptr);
 }
 
 }  // namespace

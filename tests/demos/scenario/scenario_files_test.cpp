@@ -6,6 +6,7 @@
 
 #include "scenario/scenario_reader.h"
 #include "scenario/start_motion.h"
+#include "support/oracle/heavy_top.h"
 
 namespace polhode::demos {
 namespace {
@@ -69,28 +70,21 @@ TEST(ScenarioFiles, FloorHasAnotherSpinningBodyAndAGround) {
 
 TEST(ScenarioFiles, HeavyTopStartsInItsSteadySlowPrecession) {
   const Scenario scenario = scenario_file("heavy_top");
-  const double transverse = 0.005, axial = 0.008, length = 0.05, gravity = 9.81, tilt = 0.5, spin = 20.0;
-  // A cos(tilt) Omega^2 - C w3 Omega + m g l = 0, A about the pivot, the root of the slow precession
-  const double about_pivot = transverse + length * length;
-  const double axial_momentum = axial * spin;
-  const double precession =
-      (axial_momentum -
-       std::sqrt(axial_momentum * axial_momentum - 4.0 * about_pivot * std::cos(tilt) * gravity * length)) /
-      (2.0 * about_pivot * std::cos(tilt));
-  EXPECT_NEAR(precession, 3.598, 5e-4);  // measured 3.59823
-  const Vector3 axis_W(std::sin(tilt), 0.0, std::cos(tilt));
-  const Vector3 omega_W = precession * Vector3::UnitZ() + (spin - precession * std::cos(tilt)) * axis_W;
-  const Vector3 velocity_W = omega_W.cross(length * axis_W);
+  const double tilt = 0.5, spin = 20.0;
+  const oracle::HeavyTop top = {0.005, 0.008, 1.0, 0.05, 9.81};
+  EXPECT_NEAR(oracle::slow_precession(top, tilt, spin), 3.598, 5e-4);  // measured 3.59823
+  const oracle::SteadyTop steady = oracle::steadily_precessing(top, tilt, spin);
 
   const Body& body = scenario.body;
-  EXPECT_EQ(*body.inertia_B, Vector3(transverse, transverse, axial));
-  EXPECT_EQ(scenario.gravity_W, Vector3(0, 0, -gravity));
-  EXPECT_EQ(scenario.constraint.value().pivot_B, Vector3(0, 0, -length));
-  EXPECT_LT((body.position_W - length * axis_W).norm(), 1e-16);      // measured 0
-  EXPECT_LT((body.q_WB * Vector3::UnitZ() - axis_W).norm(), 1e-15);  // measured 1.6e-16
-  EXPECT_LT((body.omega_W - omega_W).norm(), 1e-14);                 // measured 0
-  EXPECT_LT((body.velocity_W - velocity_W).norm(), 1e-16);           // measured 0
-  EXPECT_NEAR(body.omega_W.dot(axis_W), spin, 1e-14);                // measured 0
+  EXPECT_EQ(*body.inertia_B, Vector3(top.transverse, top.transverse, top.axial));
+  EXPECT_EQ(body.mass, top.mass);
+  EXPECT_EQ(scenario.gravity_W, Vector3(0, 0, -top.gravity));
+  EXPECT_EQ(scenario.constraint.value().pivot_B, Vector3(0, 0, -top.length));
+  EXPECT_LT((body.position_W - top.length * steady.axis_W).norm(), 1e-16);  // measured 0
+  EXPECT_LT((body.q_WB * Vector3::UnitZ() - steady.axis_W).norm(), 1e-15);  // measured 1.6e-16
+  EXPECT_LT((body.omega_W - steady.omega_W).norm(), 1e-14);                 // measured 0
+  EXPECT_LT((body.velocity_W - steady.velocity_W).norm(), 1e-16);           // measured 0
+  EXPECT_NEAR(body.omega_W.dot(steady.axis_W), spin, 1e-14);                // measured 0
   EXPECT_EQ(scenario.solver_iterations, 50);
   EXPECT_EQ(scenario.dt, 1.0 / 240.0);
 }

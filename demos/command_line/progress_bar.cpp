@@ -1,4 +1,4 @@
-#include "compare/progress_bar.h"
+#include "command_line/progress_bar.h"
 
 #include <unistd.h>
 

@@ -1,14 +1,15 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace polhode::demos {
 
 /// Ctrl-C or a termination request, as an exception, so that destructors remove half-written files.
 class Interrupted : public std::runtime_error {
  public:
-  explicit Interrupted(int signal)
-      : std::runtime_error("interrupted; no file was written"), signal_(signal) {}
+  explicit Interrupted(int signal, const std::string& message = "interrupted; no file was written")
+      : std::runtime_error(message), signal_(signal) {}
   int signal() const { return signal_; }
 
  private:

@@ -1,4 +1,4 @@
-#include "compare/interruption.h"
+#include "command_line/interruption.h"
 
 #include <csignal>
 

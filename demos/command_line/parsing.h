@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "scenario/range.h"
+
+/// What the programs' command lines have in common.
+namespace polhode::demos {
+
+/// False: --help or --version was asked for, and printed.
+/// @throws std::invalid_argument that says what is wrong and which options, or subcommands, are valid
+bool parse(CLI::App& app, int argument_count, char** arguments);
+
+/// An option's number. Not left to CLI11, which reads numbers as the locale writes them.
+/// @throws std::invalid_argument
+double option_number(const std::string& option, const std::string& text, const Range& range);
+std::int64_t option_whole_number(const std::string& option, const std::string& text, const Range& range);
+
+/// @throws std::invalid_argument if both are given and are the same file
+void check_different_files(const std::optional<std::filesystem::path>& csv,
+                           const std::optional<std::filesystem::path>& json);
+
+}  // namespace polhode::demos

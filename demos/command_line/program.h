@@ -1,0 +1,18 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace polhode::demos {
+
+/// Does the work of a program and returns its exit code: 0, 2 for bad input, 128 + signal when interrupted.
+/// What was thrown becomes one line on stderr, unless by then `is_quiet` says that another process prints it.
+int run_program(
+    const std::string& program, const std::function<void()>& work,
+    const std::function<bool()>& is_quiet = [] { return false; });
+
+/// Prints to stdout.
+/// @throws std::runtime_error if that cannot be written.
+void print(const std::string& text);
+
+}  // namespace polhode::demos

@@ -1,0 +1,66 @@
+#include "workprecision/cell_workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace polhode::demos {
+
+namespace {
+
+/// The cells that threads take one by one. A result has its place, whichever thread computes it.
+class CellQueue {
+ public:
+  CellQueue(const MapGrid& grid, const std::vector<std::int64_t>& cells)
+      : grid_(grid), cells_(cells), results_(cells.size()) {}
+
+  void work() {
+    try {
+      for (std::size_t i = next_++; i < cells_.size(); i = next_++) results_[i] = computed(grid_, cells_[i]);
+    } catch (...) {
+      next_ = cells_.size();
+      const std::lock_guard<std::mutex> lock(failure_mutex_);
+      failure_ = std::current_exception();
+    }
+  }
+
+  std::vector<CellResult> results() {
+    if (failure_) std::rethrow_exception(failure_);
+    return std::move(results_);
+  }
+
+ private:
+  const MapGrid& grid_;
+  const std::vector<std::int64_t>& cells_;
+  std::vector<CellResult> results_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex failure_mutex_;
+  std::exception_ptr failure_;
+};
+
+}  // namespace
+
+std::size_t thread_count(std::int64_t wish, int ranks) {
+  if (wish > 0) return static_cast<std::size_t>(wish);
+  return ranks > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
+}
+
+std::vector<CellResult> computed_by_threads(const MapGrid& grid, const std::vector<std::int64_t>& cells,
+                                            std::size_t threads) {
+  CellQueue queue(grid, cells);
+  std::vector<std::thread> helpers;
+  try {
+    while (helpers.size() + 1 < std::min(threads, cells.size())) helpers.emplace_back([&] { queue.work(); });
+  } catch (const std::system_error&) {
+    // No more threads to be had: those that there are do the work.
+  }
+  queue.work();
+  for (std::thread& helper : helpers) helper.join();
+  return queue.results();
+}
+
+}  // namespace polhode::demos

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "workprecision/cost_rounds.h"
+#include "workprecision/options.h"
+
+namespace polhode::demos {
+
+/// What a step of a contender costs, in free motion and with a kick in every step. None where the body blew
+/// up within a few steps.
+struct ContenderCost {
+  std::string contender;
+  std::optional<Cost> free;
+  std::optional<Cost> kicked;
+};
+
+/// Does what the options say, files included.
+std::vector<ContenderCost> costs(const CostOptions& options);
+
+/// The results as text; demos/README.md documents columns and keys.
+std::string cost_table(const std::vector<ContenderCost>& costs);
+std::string cost_csv(const std::vector<ContenderCost>& costs);
+std::string cost_json(const std::vector<ContenderCost>& costs);
+
+}  // namespace polhode::demos

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "workprecision/curve.h"
+
+/// A curve as text; demos/README.md documents columns and keys.
+namespace polhode::demos {
+
+std::string curve_table(const Curve& curve);
+std::string curve_csv(const Curve& curve);
+std::string curve_json(const Curve& curve);
+
+}  // namespace polhode::demos

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "polhode/rotation_state.h"
+#include "record/contender.h"
+
+namespace polhode::demos {
+
+/// A body that nothing touches, at its start.
+struct FreeBody {
+  Vector3 inertia_B{1.0, 2.0, 3.0};
+  Quaternion q_WB = Quaternion::Identity();
+  Vector3 omega_W{3.0, 2.0, 4.0};
+};
+
+/// Whether every step also takes in a change by others, as by a contact: too small to alter the motion, but
+/// it cannot be skipped.
+enum class Kick { none, every_step };
+
+/// One contender's own step of one body and nothing else: no world, no solver, no collisions.
+class Kernel {
+ public:
+  Kernel() = default;
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+  virtual ~Kernel() = default;
+
+  /// Back to the start.
+  virtual void restart() = 0;
+  virtual void run(std::int64_t steps) = 0;
+  virtual RotationState state() const = 0;
+
+  /// The moments and the time step that it really has: Bullet's are rounded.
+  virtual Vector3 inertia_B() const = 0;
+  virtual double dt_s() const = 0;
+};
+
+/// rad/s on each axis.
+inline constexpr double kKick = 1e-13;
+
+std::unique_ptr<Kernel> make_kernel(const Contender& contender, const FreeBody& body, double dt_s,
+                                    Kick kick = Kick::none);
+
+std::unique_ptr<Kernel> make_scheme_kernel(const SchemePointer& scheme, const FreeBody& body, double dt_s,
+                                           Kick kick);
+
+/// What btDiscreteDynamicsWorld does to the rotation of a free body with this gyroscopic flag, bit for bit.
+std::unique_ptr<Kernel> make_bullet_kernel(BulletMode mode, const FreeBody& body, double dt_s, Kick kick);
+
+}  // namespace polhode::demos

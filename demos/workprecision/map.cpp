@@ -1,0 +1,155 @@
+#include "workprecision/map.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+
+#include "command_line/interruption.h"
+#include "command_line/program.h"
+#include "command_line/progress_bar.h"
+#include "workprecision/cell_workers.h"
+#include "workprecision/map_journal.h"
+#include "workprecision/map_text.h"
+#include "workprecision/output_files.h"
+
+namespace polhode::demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// What goes from rank to rank: the machines are taken to be alike.
+template <class Item>
+std::string to_bytes(const std::vector<Item>& items) {
+  static_assert(std::is_trivially_copyable_v<Item>, "sent byte by byte");
+  return {reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item)};
+}
+
+template <class Item>
+std::vector<Item> from_bytes(const std::string& bytes) {
+  std::vector<Item> items(bytes.size() / sizeof(Item));
+  if (!items.empty()) std::memcpy(items.data(), bytes.data(), bytes.size());
+  return items;
+}
+
+fs::path journal_path(const Outputs& outputs) {
+  fs::path path = outputs.csv ? *outputs.csv : outputs.json.value();
+  path += ".partial";
+  return path;
+}
+
+/// What rank 0 alone holds: the journal, and the results so far.
+class MapRecord {
+ public:
+  explicit MapRecord(const MapOptions& options)
+      : options_(options), results_(static_cast<std::size_t>(options.grid.cell_count())) {
+    const OutputFiles can_be_written(options.outputs.csv, options.outputs.json);
+    journal_.emplace(journal_path(options.outputs), options.grid, options.restart);
+    for (const CellResult& result : journal_->finished()) keep(result);
+  }
+
+  std::vector<std::int64_t> cells_to_do() const {
+    std::vector<std::int64_t> cells;
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+      if (!results_[i]) cells.push_back(static_cast<std::int64_t>(i));
+    }
+    return cells;
+  }
+
+  void add(const std::vector<std::string>& from_ranks) {
+    for (const std::string& bytes : from_ranks) {
+      const std::vector<CellResult> results = from_bytes<CellResult>(bytes);
+      journal_->append(results);
+      for (const CellResult& result : results) keep(result);
+    }
+  }
+
+  std::int64_t done() const { return done_; }
+
+  void finish() {
+    std::vector<CellResult> results;
+    results.reserve(results_.size());
+    for (const std::optional<CellResult>& result : results_) results.push_back(result.value());
+    OutputFiles files(options_.outputs.csv, options_.outputs.json);
+    files.write(map_csv(options_.grid, results), map_json(options_.grid, results));
+    journal_->remove();
+    print(map_summary(options_.grid, results));
+  }
+
+ private:
+  void keep(const CellResult& result) {
+    std::optional<CellResult>& place = results_[static_cast<std::size_t>(result.index)];
+    if (!place) ++done_;
+    place = result;
+  }
+
+  const MapOptions& options_;
+  std::optional<MapJournal> journal_;
+  std::vector<std::optional<CellResult>> results_;
+  std::int64_t done_ = 0;
+};
+
+// Short enough that a kill costs little and one slow rank does not hold the others up for long.
+std::size_t cells_in_round(const MapOptions& options, std::size_t threads) {
+  constexpr std::int64_t kSteps = 200000;  // some 0.1 s
+  return threads * static_cast<std::size_t>(std::clamp<std::int64_t>(kSteps / options.grid.steps, 1, 1000));
+}
+
+std::vector<std::int64_t> part_of(const std::vector<std::int64_t>& cells, std::size_t begin,
+                                  std::size_t size) {
+  const std::size_t from = std::min(begin, cells.size());
+  const std::size_t to = std::min(begin + size, cells.size());
+  return {cells.begin() + static_cast<std::ptrdiff_t>(from), cells.begin() + static_cast<std::ptrdiff_t>(to)};
+}
+
+void compute_all(const MapOptions& options, Ranks& ranks, std::optional<MapRecord>& record) {
+  std::string bytes;
+  if (record) bytes = to_bytes(record->cells_to_do());
+  const std::vector<std::int64_t> cells = from_bytes<std::int64_t>(ranks.broadcast(bytes));
+  const std::size_t threads = thread_count(options.threads, ranks.count());
+  // Every rank the same, or they would not go through the same rounds.
+  const std::size_t size = from_bytes<std::size_t>(
+      ranks.broadcast(to_bytes(std::vector<std::size_t>{cells_in_round(options, threads)})))[0];
+  std::optional<ProgressBar> progress;
+  if (record) progress.emplace(options.grid.cell_count());
+  const std::size_t all_ranks = static_cast<std::size_t>(ranks.count());
+  for (std::size_t begin = 0; begin < cells.size(); begin += size * all_ranks) {
+    std::string own;
+    ranks.together([&] {
+      const std::size_t own_begin = begin + size * static_cast<std::size_t>(ranks.rank());
+      own = to_bytes(computed_by_threads(options.grid, part_of(cells, own_begin, size), threads));
+    });
+    const std::vector<std::string> from_ranks = ranks.gather(own);
+    ranks.together([&] {
+      if (!record) return;
+      record->add(from_ranks);
+      progress->show(record->done(), options.grid.contenders.front().name);
+    });
+  }
+}
+
+}  // namespace
+
+void make_map(const MapOptions& options, Ranks& ranks) {
+  const std::string first_ranks = ranks.broadcast(description(options.grid));
+  std::optional<MapRecord> record;
+  ranks.together([&] {
+    if (description(options.grid) != first_ranks) {
+      throw std::runtime_error("the ranks were given different options or programs; valid are the same");
+    }
+    if (ranks.is_first()) record.emplace(options);
+  });
+  try {
+    compute_all(options, ranks, record);
+  } catch (const Interrupted& interrupted) {
+    throw Interrupted(interrupted.signal(), "interrupted; the finished cells are in \"" +
+                                                journal_path(options.outputs).string() +
+                                                "\", from which the same command goes on");
+  }
+  ranks.together([&] {
+    if (record) record->finish();
+  });
+}
+
+}  // namespace polhode::demos

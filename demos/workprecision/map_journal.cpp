@@ -1,0 +1,139 @@
+#include "workprecision/map_journal.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "scenario/json_file.h"
+#include "scenario/number_text.h"
+
+namespace polhode::demos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what) {
+  throw std::runtime_error("\"" + file.string() + "\": " + what);
+}
+
+std::string line_of(const CellResult& result) {
+  return number_text(result.index) + " " + full_number_text(result.worst_energy_error) + " " +
+         number_text(result.diverged_step) + "\n";
+}
+
+template <class Number>
+bool read_number(const char*& at, const char* end, Number& number, char after) {
+  const std::from_chars_result result = std::from_chars(at, end, number);
+  if (result.ec != std::errc() || result.ptr == end || *result.ptr != after) return false;
+  at = result.ptr + 1;
+  return true;
+}
+
+// The cell that a line holds, its newline included; nothing if it is torn.
+std::optional<CellResult> cell_in(const std::string& line, const MapGrid& grid) {
+  CellResult result{};
+  const char* at = line.data();
+  const char* end = at + line.size();
+  const bool whole = read_number(at, end, result.index, ' ') &&
+                     read_number(at, end, result.worst_energy_error, ' ') &&
+                     read_number(at, end, result.diverged_step, '\n');
+  if (!whole || result.index < 0 || result.index >= grid.cell_count()) return std::nullopt;
+  return result;
+}
+
+// "steps is 1000 there and 500 here"
+std::string difference(const std::string& there, const std::string& here) {
+  const nlohmann::json a = nlohmann::json::parse(there, nullptr, false);
+  const nlohmann::json b = nlohmann::json::parse(here);
+  if (!a.is_object()) return "it is no journal of a map";
+  std::string text;
+  for (const auto& [key, value] : b.items()) {
+    const nlohmann::json other = a.value(key, nlohmann::json());
+    if (other == value) continue;
+    text += (text.empty() ? "" : "; ") + key + " is " + other.dump() + " there and " + value.dump() + " here";
+  }
+  return text.empty() ? "its first line is not exactly this map's" : text;
+}
+
+}  // namespace
+
+MapJournal::MapJournal(const fs::path& file, const MapGrid& grid, bool restart) : path_(file) {
+  open(restart);
+  try {
+    read(grid);
+  } catch (...) {
+    ::close(descriptor_);
+    throw;
+  }
+}
+
+MapJournal::~MapJournal() {
+  ::close(descriptor_);  // and unlocks it
+}
+
+void MapJournal::open(bool restart) {
+  descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail(path_, std::string("cannot be written: ") + std::strerror(errno));
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(descriptor_);
+    fail(path_, "another run is writing it; valid is another output file, or to wait for that run");
+  }
+  if (restart && ::ftruncate(descriptor_, 0) != 0) fail(path_, std::strerror(errno));
+}
+
+void MapJournal::read(const MapGrid& grid) {
+  const std::string header = description(grid) + "\n";
+  const std::string text = read_text_file(path_);
+  // Killed before its first line was whole: it holds nothing yet.
+  if (text.size() < header.size() && header.compare(0, text.size(), text) == 0) return start_over(header);
+  if (text.compare(0, header.size(), header) != 0) {
+    fail(path_, "is of another run: " + difference(text.substr(0, text.find('\n')), description(grid)) +
+                    "; delete it, or start over with --restart");
+  }
+  std::size_t good = header.size();
+  for (std::size_t end = text.find('\n', good); end != std::string::npos; end = text.find('\n', good)) {
+    const std::optional<CellResult> result = cell_in(text.substr(good, end + 1 - good), grid);
+    if (!result) break;
+    finished_.push_back(*result);
+    good = end + 1;
+  }
+  if (::ftruncate(descriptor_, static_cast<off_t>(good)) != 0) fail(path_, std::strerror(errno));
+  ::lseek(descriptor_, 0, SEEK_END);
+}
+
+void MapJournal::start_over(const std::string& header) {
+  if (::ftruncate(descriptor_, 0) != 0) fail(path_, std::strerror(errno));
+  ::lseek(descriptor_, 0, SEEK_SET);
+  write(header);
+}
+
+void MapJournal::append(const std::vector<CellResult>& results) {
+  std::string lines;
+  for (const CellResult& result : results) lines += line_of(result);
+  write(lines);
+}
+
+void MapJournal::write(const std::string& text) {
+  std::size_t written = 0;
+  while (written < text.size()) {
+    const ssize_t now = ::write(descriptor_, text.data() + written, text.size() - written);
+    if (now < 0 && errno == EINTR) continue;
+    if (now < 0) fail(path_, std::string("cannot be written: ") + std::strerror(errno));
+    written += static_cast<std::size_t>(now);
+  }
+}
+
+void MapJournal::remove() {
+  std::error_code error;
+  if (!fs::remove(path_, error) && error) fail(path_, error.message());
+}
+
+}  // namespace polhode::demos

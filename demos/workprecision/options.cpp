@@ -1,0 +1,193 @@
+#include "workprecision/options.h"
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include "command_line/parsing.h"
+#include "scenario/build_info.h"
+#include "scenario/scenario.h"
+
+namespace polhode::demos {
+
+namespace {
+
+constexpr Range kSpeedRange{-1e6, 1e6};
+constexpr Range kLevelRange{1, 30};
+constexpr Range kRoundRange{1, 1e6};
+constexpr Range kOmegaDtRange{1e-6, 1e3};
+constexpr Range kRatioRange{1.0, 1e6};
+constexpr Range kCountRange{1, 10000};
+constexpr Range kStepsRange{1, kMostSteps};
+constexpr Range kThreadRange{1, 1024};
+
+using Texts = std::vector<std::string>;
+
+/// The options of one subcommand: CLI11 gathers the texts, `read` turns them into values afterwards.
+class Subcommand {
+ public:
+  Subcommand(CLI::App& app, const std::string& name, const std::string& summary)
+      : app_(*app.add_subcommand(name, summary)) {}
+
+  CLI::App& app() { return app_; }
+  bool chosen() const { return app_.parsed(); }
+
+  void number(const std::string& name, const std::string& help, const Range& range, double& value) {
+    one_text(name, "NUMBER", help,
+             [=, &value](const std::string& text) { value = option_number(name, text, range); });
+  }
+
+  void whole_number(const std::string& name, const std::string& help, const Range& range,
+                    std::int64_t& value) {
+    one_text(name, "N", help,
+             [=, &value](const std::string& text) { value = option_whole_number(name, text, range); });
+  }
+
+  void vector(const std::string& name, const std::string& help, const Range& range, Vector3& value) {
+    add(name, "NUMBER", help, [=, &value](const Texts& texts) {
+      for (int i = 0; i < 3; ++i) value[i] = option_number(name, texts[static_cast<std::size_t>(i)], range);
+    })->expected(3);
+  }
+
+  void axis(const std::string& name, const std::string& help, const Range& range, LogarithmicAxis& axis) {
+    add(name, "NUMBER", help, [=, &axis](const Texts& texts) {
+      axis.from = option_number(name, texts[0], range);
+      axis.to = option_number(name, texts[1], range);
+      axis.count = option_whole_number(name, texts[2], kCountRange);
+      if (axis.from >= axis.to) throw std::invalid_argument(name + ": valid is FROM less than TO");
+    })->expected(3);
+  }
+
+  void contenders(const std::string& names, std::vector<Contender>& value) {
+    value = all_contenders();
+    add(names, "NAME", "A scheme or a mode of Bullet's; repeatable (default: all)",
+        [&value](const Texts& texts) { value = find_contenders(texts); })
+        ->allow_extra_args(false);
+  }
+
+  void start(SpinStart& value) {
+    one_text("--start", "middle_axis|generic", "How the spin starts (default: middle_axis)",
+             [&value](const std::string& text) {
+               if (text != "generic" && text != "middle_axis") {
+                 throw std::invalid_argument("--start: is \"" + text + "\"; valid are middle_axis, generic");
+               }
+               value = text == "generic" ? SpinStart::generic : SpinStart::middle_axis;
+             });
+  }
+
+  void outputs(const std::string& what, Outputs& outputs) {
+    app_.add_option("--csv", outputs.csv, "Write " + what + " there")->type_name("FILE");
+    app_.add_option("--json", outputs.json, "Write " + what + " there")->type_name("FILE");
+    checks_.emplace_back([&outputs] { check_different_files(outputs.csv, outputs.json); });
+  }
+
+  void read() {
+    for (const std::function<void()>& check : checks_) check();
+  }
+
+ private:
+  CLI::Option* add(const std::string& name, const std::string& type, const std::string& help,
+                   const std::function<void(const Texts&)>& take) {
+    Texts& texts = texts_[name];
+    CLI::Option* option = app_.add_option(name, texts, help)->type_name(type);
+    checks_.emplace_back([&texts, take] {
+      if (!texts.empty()) take(texts);
+    });
+    return option;
+  }
+
+  void one_text(const std::string& name, const std::string& type, const std::string& help,
+                const std::function<void(const std::string&)>& take) {
+    add(name, type, help, [take](const Texts& texts) { take(texts.front()); })->expected(1);
+  }
+
+  CLI::App& app_;
+  std::map<std::string, Texts> texts_;
+  std::vector<std::function<void()>> checks_;
+};
+
+void declare_body(Subcommand& command, FreeBody& body) {
+  command.vector("--inertia", "Principal moments, kg m^2 (default: 1 2 3)", kInertiaRange, body.inertia_B);
+  command.vector("--omega", "Angular velocity, rad/s (default: 3 2 4)", kSpeedRange, body.omega_W);
+}
+
+void declare(Subcommand& command, CurveOptions& options) {
+  declare_body(command, options.body);
+  command.app()
+      .add_option("--scenario", options.scenario, "A free body's scenario, in place of these two")
+      ->type_name("NAME|FILE.json")
+      ->excludes("--inertia")
+      ->excludes("--omega");
+  command.contenders("--contender", options.contenders);
+  command.number("--time", "When the error is measured, s (default: 10)", kDurationRange, options.time_s);
+  command.number("--dt-from", "Largest step, s (default: 1/15)", kDtRange, options.dt_from_s);
+  command.whole_number("--levels", "How many steps, each half the one before (default: 8)", kLevelRange,
+                       options.levels);
+  command.whole_number("--rounds", "Of the measurement of cost (default: 21)", kRoundRange, options.rounds);
+  command.outputs("the points", options.outputs);
+}
+
+void declare(Subcommand& command, CostOptions& options) {
+  declare_body(command, options.body);
+  command.contenders("--contender", options.contenders);
+  command.number("--dt", "Length of a step, s (default: 1/60)", kDtRange, options.dt_s);
+  command.whole_number("--rounds", "Of the measurement (default: 201)", kRoundRange, options.rounds);
+  command.outputs("the costs", options.outputs);
+}
+
+void declare(Subcommand& command, MapOptions& options) {
+  MapGrid& grid = options.grid;
+  command.contenders("--contender,--scheme", grid.contenders);
+  command.axis("--omega-dt", "|omega| dt, rad: from, to, how many (default: 0.01 3 48)", kOmegaDtRange,
+               grid.omega_dt);
+  command.axis("--inertia-ratio", "I_3/I_1: from, to, how many (default: 1.1 20 24)", kRatioRange,
+               grid.inertia_ratio);
+  command.whole_number("--steps", "Of each cell (default: 1000)", kStepsRange, grid.steps);
+  command.start(grid.start);
+  command.whole_number("--threads", "Of each process (default: one per core; under MPI one)", kThreadRange,
+                       options.threads);
+  command.app().add_flag("--restart", options.restart, "Start over in place of going on");
+  command.outputs("the map", options.outputs);
+}
+
+void check(const FreeBody& body) {
+  if (body.omega_W.isZero(0.0)) throw std::invalid_argument("--omega: is 0; valid is a body that spins");
+}
+
+void check(const MapOptions& options) {
+  if (options.outputs.csv || options.outputs.json) return;
+  throw std::invalid_argument("map writes files; valid are --csv FILE, --json FILE or both");
+}
+
+}  // namespace
+
+std::optional<WorkPrecisionOptions> parse_work_precision_options(int argument_count, char** arguments) {
+  CLI::App app("Sets the schemes' and Bullet's errors, costs and limits of stability side by side.");
+  app.set_version_flag("--version", std::string("polhode ") + kVersion);
+  app.require_subcommand(1);
+  CurveOptions curve;
+  CostOptions cost;
+  MapOptions map;
+  Subcommand curve_command(app, "curve", "Error against cost over a ladder of time steps");
+  Subcommand cost_command(app, "cost", "What a step costs");
+  Subcommand map_command(app, "map", "Energy error over |omega| dt and the inertia ratio");
+  declare(curve_command, curve);
+  declare(cost_command, cost);
+  declare(map_command, map);
+  if (!parse(app, argument_count, arguments)) return std::nullopt;
+  if (curve_command.chosen()) {
+    curve_command.read();
+    check(curve.body);
+    return curve;
+  }
+  if (cost_command.chosen()) {
+    cost_command.read();
+    check(cost.body);
+    return cost;
+  }
+  map_command.read();
+  check(map);
+  return map;
+}
+
+}  // namespace polhode::demos

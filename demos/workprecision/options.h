@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "workprecision/kernel.h"
+#include "workprecision/map_grid.h"
+
+namespace polhode::demos {
+
+/// Where a command's results go, besides stdout.
+struct Outputs {
+  std::optional<std::filesystem::path> csv;
+  std::optional<std::filesystem::path> json;
+};
+
+/// Error against cost over a ladder of time steps.
+struct CurveOptions {
+  FreeBody body;
+  std::optional<std::string> scenario;  ///< in place of `body`
+  std::vector<Contender> contenders;
+  double time_s = 10.0;
+  double dt_from_s = 1.0 / 15.0;
+  std::int64_t levels = 8;
+  std::int64_t rounds = 21;
+  Outputs outputs;
+};
+
+struct CostOptions {
+  FreeBody body;
+  std::vector<Contender> contenders;
+  double dt_s = 1.0 / 60.0;
+  std::int64_t rounds = 201;
+  Outputs outputs;
+};
+
+struct MapOptions {
+  MapGrid grid;
+  std::int64_t threads = 0;  ///< 0: as many as there are cores, or one under MPI
+  bool restart = false;
+  Outputs outputs;
+};
+
+using WorkPrecisionOptions = std::variant<CurveOptions, CostOptions, MapOptions>;
+
+/// Nothing if the command line asked for --help or --version, which is then printed.
+/// @throws std::invalid_argument that says what is wrong and what is valid
+std::optional<WorkPrecisionOptions> parse_work_precision_options(int argument_count, char** arguments);
+
+}  // namespace polhode::demos

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include "polhode/rotation_math.h"
+#include "world/conversions.h"
+
+/// What a body that Bullet rotates says of itself, in double.
+namespace polhode::demos {
+
+/// Its moments of inertia as Bullet, which keeps their inverses, has rounded them.
+inline Vector3 inertia_of(const btRigidBody& body) {
+  return from_bullet(body.getInvInertiaDiagLocal()).cwiseInverse();
+}
+
+inline RotationState rotation_of(const btRigidBody& body) {
+  RotationState state;
+  state.R_WB = from_bullet(body.getWorldTransform().getBasis());
+  state.q_WB = Quaternion(state.R_WB).normalized();
+  set_omega(state, inertia_of(body), from_bullet(body.getAngularVelocity()));
+  return state;
+}
+
+}  // namespace polhode::demos
