@@ -12,7 +12,9 @@
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 4; the same Newton step as
 // btRigidBody::computeGyroscopicImpulseImplicit_Body, after E. Catto, "Numerical Methods", GDC 2015.
 // Order: 1. Conserves: neither energy nor L (both decay); det R exactly.
-// Fails when: |omega| dt is not small: never blows up, but a tumble dies within seconds.
+// Fails when: |omega| dt is not small: a tumble dies within seconds. It does not blow up, but from some 1.4
+// rad a step on the one Newton step may miss by far and energy leap up, a hundred-thousandfold if moments
+// differ much.
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
@@ -31,7 +33,8 @@ void step(const StepInput& input, RotationState& state) noexcept {
 const RotationScheme& implicit_gyroscopic() {
   static const SchemeDefinition scheme(
       {"implicit_gyroscopic", "gyroscopic torque by one Newton step of implicit Euler, which loses energy",
-       "handout eq. 6-10, problem 4", "|omega| dt is not small: stable, but a tumble dies within seconds", 1,
+       "handout eq. 6-10, problem 4",
+       "|omega| dt is not small: a tumble dies within seconds; past 1.4 energy may leap up", 1,
        Conservation::lost, Conservation::lost, Conservation::exact},
       step);
   return scheme;
