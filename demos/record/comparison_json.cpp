@@ -1,5 +1,6 @@
 #include "record/comparison_json.h"
 
+#include "record/optional_number.h"
 #include "scenario/build_info.h"
 #include "scenario/scenario_writer.h"
 
@@ -9,23 +10,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number_or_null(const std::optional<double>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
 Json contender_json(const ContenderFigures& contender) {
   const Figures& figures = contender.figures;
   return {{"name", contender.contender},
           {"steps", figures.steps},
-          {"final_energy_error", number_or_null(figures.final_energy_error)},
-          {"worst_energy_error", number_or_null(figures.worst_energy_error)},
-          {"worst_momentum_error", number_or_null(figures.worst_momentum_error)},
-          {"worst_momentum_angle_rad", number_or_null(figures.worst_momentum_angle_rad)},
-          {"final_attitude_error_rad", number_or_null(figures.final_attitude_error_rad)},
-          {"worst_attitude_error_rad", number_or_null(figures.worst_attitude_error_rad)},
+          {"final_energy_error", json_value(figures.final_energy_error)},
+          {"worst_energy_error", json_value(figures.worst_energy_error)},
+          {"worst_momentum_error", json_value(figures.worst_momentum_error)},
+          {"worst_momentum_angle_rad", json_value(figures.worst_momentum_angle_rad)},
+          {"final_attitude_error_rad", json_value(figures.final_attitude_error_rad)},
+          {"worst_attitude_error_rad", json_value(figures.worst_attitude_error_rad)},
           {"final_det_R", figures.final_det_R},
           {"steps_past_cut", figures.steps_past_cut},
-          {"diverged_at_s", number_or_null(figures.diverged_at_s)},
+          {"diverged_at_s", json_value(figures.diverged_at_s)},
           {"ns_per_step", figures.ns_per_step}};
 }
 

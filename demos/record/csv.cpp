@@ -1,5 +1,6 @@
 #include "record/csv.h"
 
+#include "record/optional_number.h"
 #include "scenario/number_text.h"
 
 namespace polhode::demos {
@@ -18,7 +19,7 @@ std::string csv_row(const std::string& contender, const Sample& sample) {
                              omega_W.z(), L_W.x(), L_W.y(), L_W.z(), sample.energy_J, sample.det_R()}) {
     row += "," + full_number_text(value);
   }
-  return row + "," + (sample.attitude_error_rad ? full_number_text(*sample.attitude_error_rad) : "") + "\n";
+  return row + "," + csv_cell(sample.attitude_error_rad) + "\n";
 }
 
 }  // namespace polhode::demos

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "record/optional_number.h"
 #include "scenario/build_info.h"
 #include "scenario/number_text.h"
 
@@ -11,26 +12,22 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-std::string cell(const std::optional<double>& value, int digits) {
-  return value ? short_number_text(*value, digits) : "-";
-}
-
 std::string signed_cell(const std::optional<double>& value, int digits) {
-  return (value && *value > 0.0 ? "+" : "") + cell(value, digits);
+  return (value && *value > 0.0 ? "+" : "") + table_cell(value, digits);
 }
 
 Row figures_row(const ContenderFigures& contender) {
   const Figures& figures = contender.figures;
   return {contender.contender,
           signed_cell(figures.final_energy_error, 4),
-          cell(figures.worst_energy_error, 3),
-          cell(figures.worst_momentum_error, 3),
-          cell(figures.worst_momentum_angle_rad, 3),
-          cell(figures.final_attitude_error_rad, 3),
-          cell(figures.worst_attitude_error_rad, 3),
+          table_cell(figures.worst_energy_error, 3),
+          table_cell(figures.worst_momentum_error, 3),
+          table_cell(figures.worst_momentum_angle_rad, 3),
+          table_cell(figures.final_attitude_error_rad, 3),
+          table_cell(figures.worst_attitude_error_rad, 3),
           short_number_text(figures.final_det_R, 6),
           number_text(figures.steps_past_cut),
-          cell(figures.diverged_at_s, 6),
+          table_cell(figures.diverged_at_s, 6),
           number_text(static_cast<std::int64_t>(figures.ns_per_step))};
 }
 

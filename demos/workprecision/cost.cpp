@@ -1,10 +1,10 @@
 #include "workprecision/cost.h"
 
+#include "record/optional_number.h"
 #include "record/table.h"
 #include "scenario/build_info.h"
 #include "workprecision/motion.h"
 #include "workprecision/output_files.h"
-#include "workprecision/text.h"
 #include "world/run.h"
 
 namespace polhode::demos {

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "command_line/interruption.h"
+#include "record/median.h"
 
 namespace polhode::demos {
 
@@ -22,12 +23,6 @@ double ns_per_step(const Lap& lap) {
   }
   const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - before;
   return taken.count() / static_cast<double>(laps * steps);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

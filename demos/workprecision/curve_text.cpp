@@ -1,8 +1,8 @@
 #include "workprecision/curve_text.h"
 
+#include "record/optional_number.h"
 #include "record/table.h"
 #include "scenario/build_info.h"
-#include "workprecision/text.h"
 #include "world/run.h"
 
 namespace polhode::demos {

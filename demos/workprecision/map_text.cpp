@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "record/optional_number.h"
 #include "record/table.h"
-#include "workprecision/text.h"
 
 namespace polhode::demos {
 

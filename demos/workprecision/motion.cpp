@@ -10,10 +10,9 @@ namespace polhode::demos {
 
 namespace {
 
-// As the library judges a body.
+// As the library judges a body; a figure of the motion needs its energy too.
 bool is_sound(const RotationState& state) {
-  return state.all_finite() && state.omega_W.norm() <= kMaximumAngularSpeed &&
-         state.R_WB.colwise().norm().maxCoeff() <= kMaximumSwelling && std::isfinite(state.energy());
+  return within_limits(state) && std::isfinite(state.energy());
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "world/run.h"
 
-#include <algorithm>
 #include <chrono>
 #include <vector>
 
+#include "record/median.h"
 #include "support/oracle/free_top.h"
 #include "world/scenario_world.h"
 
@@ -26,9 +26,7 @@ class StepTimer {
 
   double median_ns() {
     if (ns_.empty()) end_stretch();
-    const auto middle = ns_.begin() + static_cast<std::ptrdiff_t>(ns_.size() / 2);
-    std::nth_element(ns_.begin(), middle, ns_.end());
-    return *middle;
+    return median(ns_);
   }
 
  private:

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "polhode/rotation_state.h"
+
 namespace polhode {
 
 /// Past these a scheme counts as diverged.
@@ -11,5 +13,11 @@ inline constexpr double kMaximumAngularSpeed = 1e9;
 /// The longest column of R_WB: a body ten thousand times its size. Further on R R^T, squared in the velocity,
 /// would only overflow.
 inline constexpr double kMaximumSwelling = 1e4;
+
+/// Whether a body in this state has not diverged.
+inline bool within_limits(const RotationState& state) {
+  return state.all_finite() && state.omega_W.norm() <= kMaximumAngularSpeed &&
+         state.R_WB.colwise().norm().maxCoeff() <= kMaximumSwelling;
+}
 
 }  // namespace polhode

@@ -40,11 +40,6 @@ Motion motion_of(const btRigidBody& body) {
   return {body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity()};
 }
 
-bool within_limits(const RotationState& state) {
-  return state.all_finite() && state.omega_W.norm() <= kMaximumAngularSpeed &&
-         state.R_WB.colwise().norm().maxCoeff() <= kMaximumSwelling;
-}
-
 bool turns_by_solver(const btRigidBody& body) {
   return body.isActive() && !body.isStaticOrKinematicObject();
 }

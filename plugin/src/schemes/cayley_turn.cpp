@@ -49,8 +49,6 @@ bool search_along(const CayleyEquation& equation, const Vector3& step, Vector3& 
   return false;
 }
 
-}  // namespace
-
 Vector3 solve(const CayleyEquation& equation, const Vector3& first_guess) {
   Vector3 a = first_guess;
   Vector3 residual_at_a = residual(equation, a);
@@ -65,7 +63,10 @@ Vector3 solve(const CayleyEquation& equation, const Vector3& first_guess) {
   return Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-Quaternion turn_by_cayley(const Vector3& a) {
+}  // namespace
+
+Quaternion cayley_turn_B(const CayleyEquation& equation, const Vector3& inertia_B) {
+  const Vector3 a = solve(equation, equation.half_impulse_B.cwiseQuotient(inertia_B));
   return Quaternion(1.0, a.x(), a.y(), a.z()).normalized();
 }
 

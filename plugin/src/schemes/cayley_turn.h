@@ -19,11 +19,9 @@ struct CayleyEquation {
   double stretch;
 };
 
-/// The root that Newton's method with a line search finds from `first_guess`, to rounding; not finite where
-/// it finds none. Short steps get the one that grows out of a = 0 with dt.
-Vector3 solve(const CayleyEquation& equation, const Vector3& first_guess);
-
-/// The unit quaternion (1, a)/sqrt(1 + |a|^2).
-Quaternion turn_by_cayley(const Vector3& a);
+/// The turn of a step, (1, a)/sqrt(1 + |a|^2), a the root that Newton's method with a line search finds from
+/// (dt/2) omega_B, to rounding; not finite where it finds none. Short steps get the root that grows out of
+/// a = 0 with dt. `inertia_B` are the moments that omega_B goes by; the equation may have others.
+Quaternion cayley_turn_B(const CayleyEquation& equation, const Vector3& inertia_B);
 
 }  // namespace polhode::schemes

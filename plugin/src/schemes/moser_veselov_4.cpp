@@ -34,9 +34,7 @@ Vector3 preprocessed(const Vector3& inertia_B, const Vector3& L_B, double dt) {
 }
 
 Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
-  const Vector3 half_impulse_B = 0.5 * dt * L_B;
-  const Vector3 half_turn_B = half_impulse_B.cwiseQuotient(inertia_B);
-  return turn_by_cayley(solve({preprocessed(inertia_B, L_B, dt), half_impulse_B, 1.0}, half_turn_B));
+  return cayley_turn_B({preprocessed(inertia_B, L_B, dt), 0.5 * dt * L_B, 1.0}, inertia_B);
 }
 
 void step(const StepInput& input, RotationState& state) noexcept {
