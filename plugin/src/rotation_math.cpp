@@ -1,8 +1,8 @@
 #include "polhode/rotation_math.h"
 
-#include <Eigen/QR>
-#include <algorithm>
 #include <cmath>
+
+#include "rotation_formulas.h"
 
 namespace polhode {
 
@@ -36,13 +36,11 @@ Matrix3 skew(const Vector3& v) {
 }
 
 Matrix3 inverse_inertia_W(const Matrix3& R_WB, const Vector3& inertia_B) {
-  return R_WB * inertia_B.cwiseInverse().asDiagonal() * R_WB.transpose();
+  return formulas::inverse_inertia_W(R_WB, inertia_B);
 }
 
 Vector3 angular_momentum_W(const Matrix3& R_WB, const Vector3& inertia_B, const Vector3& omega_W) {
-  // (R I^-1 R^T)^-1 = R^-T I R^-1; for a rotation the same as R I R^T.
-  const Matrix3 R_BW = R_WB.inverse();
-  return R_BW.transpose() * inertia_B.cwiseProduct(R_BW * omega_W);
+  return formulas::angular_momentum_W(R_WB, inertia_B, omega_W);
 }
 
 Quaternion exponential(const Vector3& v) {
@@ -58,36 +56,19 @@ Vector3 logarithm(const Quaternion& q) {
 }
 
 Quaternion turn_by_euler(const Quaternion& q_WB, const Vector3& omega_W, double dt) {
-  // q* = q + dt/2 [0, omega] q;  q <- q*/|q*|
-  const Quaternion rate = from_scalar_and_vector(0.0, omega_W) * q_WB;
-  Quaternion turned;
-  turned.coeffs() = q_WB.coeffs() + 0.5 * dt * rate.coeffs();
-  return turned.normalized();
+  return formulas::turn_by_euler(q_WB, omega_W, dt);
 }
 
 Quaternion turn_like_bullet(const Quaternion& q_WB, const Vector3& omega_W, double dt) {
-  const double speed = omega_W.norm();
-  if (speed == 0.0) return q_WB;
-  const double half_angle = 0.5 * std::min(speed * dt, kBulletTurnLimit);
-  // Bullet keeps the axis' length |omega| / omega_c past the limit and then normalises.
-  const double length = std::max(1.0, speed * dt / kBulletTurnLimit) * std::sin(half_angle);
-  return (from_scalar_and_vector(std::cos(half_angle), omega_W * (length / speed)) * q_WB).normalized();
+  return formulas::turn_like_bullet(q_WB, omega_W, dt);
 }
 
 Vector3 implicit_gyroscopic_change_B(const Vector3& inertia_B, const Vector3& omega_B, double dt) {
-  const Vector3 L_B = inertia_B.cwiseProduct(omega_B);
-  // f(omega) = dt omega x I omega
-  const Vector3 residual = dt * omega_B.cross(L_B);
-  // J = I + dt ([omega] I - [I omega])
-  Matrix3 jacobian = dt * (skew(omega_B) * inertia_B.asDiagonal() - skew(L_B));
-  jacobian.diagonal() += inertia_B;
-  // J delta = -f
-  return -jacobian.colPivHouseholderQr().solve(residual);
+  return formulas::implicit_gyroscopic_change_B(inertia_B, omega_B, dt);
 }
 
 Vector3 implicit_gyroscopic_change_W(const RotationState& state, const Vector3& inertia_B, double dt) {
-  const Vector3 omega_B = state.R_WB.transpose() * state.omega_W;
-  return state.R_WB * implicit_gyroscopic_change_B(inertia_B, omega_B, dt);
+  return formulas::implicit_gyroscopic_change_W(state.R_WB, inertia_B, state.omega_W, dt);
 }
 
 void set_orientation(RotationState& state, const Quaternion& q_WB) {
@@ -97,14 +78,12 @@ void set_orientation(RotationState& state, const Quaternion& q_WB) {
 
 void set_omega(RotationState& state, const Vector3& inertia_B, const Vector3& omega_W) {
   state.omega_W = omega_W;
-  state.L_W = state.R_WB * inertia_B.cwiseProduct(state.R_WB.transpose() * omega_W);
+  state.L_W = formulas::times_inertia_W(state.R_WB, inertia_B, omega_W);
 }
 
 void set_angular_momentum(RotationState& state, const Vector3& inertia_B, const Vector3& L_W) {
   state.L_W = L_W;
-  // R (I^-1 (R^T L)), not (R I^-1 R^T) L: where the moments differ by orders of magnitude the matrix loses
-  // digits.
-  state.omega_W = state.R_WB * Vector3(state.R_WB.transpose() * L_W).cwiseQuotient(inertia_B);
+  state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, L_W);
 }
 
 }  // namespace polhode

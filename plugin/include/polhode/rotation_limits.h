@@ -16,8 +16,10 @@ inline constexpr double kMaximumSwelling = 1e4;
 
 /// Whether a body in this state has not diverged.
 inline bool within_limits(const RotationState& state) {
-  return state.all_finite() && state.omega_W.norm() <= kMaximumAngularSpeed &&
-         state.R_WB.colwise().norm().maxCoeff() <= kMaximumSwelling;
+  // What is not a number is not less than anything either.
+  return state.omega_W.squaredNorm() <= kMaximumAngularSpeed * kMaximumAngularSpeed &&
+         state.R_WB.colwise().squaredNorm().maxCoeff() <= kMaximumSwelling * kMaximumSwelling &&
+         state.all_finite();
 }
 
 }  // namespace polhode

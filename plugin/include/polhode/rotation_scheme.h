@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -48,6 +49,13 @@ struct StepInput {
   bool torque_turns_with_body = false;  ///< torque_W holds at the start and turns with the body's axes
 };
 
+/// One body's part in RotationScheme::step_bodies.
+struct BodyStep {
+  const StepInput* input;
+  RotationState* state;
+  SchemeMemory* memory;
+};
+
 /// A way to rotate a body. Stateless: one object serves any number of bodies, worlds and threads.
 /// Applications derive their own and attach it like a built-in one.
 class RotationScheme {
@@ -69,6 +77,14 @@ class RotationScheme {
   virtual void step_with_memory(const StepInput& input, RotationState& state,
                                 SchemeMemory& /*memory*/) const noexcept {
     step(input, state);
+  }
+
+  /// The same for several bodies at once: each comes out as from a step_with_memory of its own, to the last
+  /// bit, whatever bodies it is together with.
+  virtual void step_bodies(const BodyStep* bodies, std::size_t count) const noexcept {
+    for (std::size_t i = 0; i < count; ++i) {
+      step_with_memory(*bodies[i].input, *bodies[i].state, *bodies[i].memory);
+    }
   }
 };
 

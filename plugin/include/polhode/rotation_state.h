@@ -25,7 +25,9 @@ struct RotationState {
   Vector3 L_W = Vector3::Zero();             ///< angular momentum about the centre of mass, kg m^2/s
 
   bool all_finite() const {
-    return q_WB.coeffs().allFinite() && R_WB.allFinite() && omega_W.allFinite() && L_W.allFinite();
+    // 0 times a finite number is 0, times any other NaN.
+    return (0.0 * q_WB.coeffs()).sum() + (0.0 * R_WB).sum() + (0.0 * omega_W).sum() + (0.0 * L_W).sum() ==
+           0.0;
   }
 
   /// Rotational kinetic energy (1/2) omega . L, in J.

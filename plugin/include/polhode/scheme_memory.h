@@ -8,10 +8,11 @@ namespace polhode {
 
 /// Room for what a scheme computed for one body and may use again in its next step. Whoever holds a body's
 /// state holds one beside it; nobody but the scheme looks inside. A scheme must check that what it finds
-/// still fits the state and the step it is given: nobody tells it of changes.
+/// still fits the state and the step it is given: nobody tells it of changes. The bodies of a scheme that
+/// declares `rotation: lost` have none that lasts: their matrix is kept in its place.
 class SchemeMemory {
  public:
-  static constexpr std::size_t kBytes = 192;
+  static constexpr std::size_t kBytes = 176;
 
   /// The T that is kept here; T() if it is another type's or nobody's.
   template <class T>

@@ -15,10 +15,15 @@ btMatrix3x3 BulletReplay::turned(const btMatrix3x3& basis, const btVector3& omeg
 
 btVector3 BulletReplay::damped(const btVector3& omega_W, btScalar angular_damping, btScalar dt) {
   if (angular_damping == btScalar(0.0)) return omega_W;
-  body_.setDamping(btScalar(0.0), angular_damping);
-  body_.setAngularVelocity(omega_W);
-  body_.applyDamping(dt);
-  return body_.getAngularVelocity();
+  if (angular_damping != damping_ || dt != damped_dt_) {
+    damping_ = angular_damping;
+    damped_dt_ = dt;
+    body_.setDamping(btScalar(0.0), angular_damping);
+    body_.setAngularVelocity(btVector3(1, 1, 1));
+    body_.applyDamping(dt);
+    damping_factor_ = body_.getAngularVelocity().x();
+  }
+  return omega_W * damping_factor_;
 }
 
 }  // namespace POLHODE_PRECISION

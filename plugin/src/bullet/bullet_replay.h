@@ -23,6 +23,10 @@ class BulletReplay {
 
  private:
   btRigidBody body_;
+  // Bullet takes a power for the factor; most bodies of a world have the same.
+  btScalar damping_ = 0;
+  btScalar damped_dt_ = 0;
+  btScalar damping_factor_ = 1;
 };
 
 }  // namespace POLHODE_PRECISION

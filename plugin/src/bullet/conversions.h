@@ -2,6 +2,8 @@
 
 #include <LinearMath/btMatrix3x3.h>
 
+#include <array>
+
 #include "polhode/bullet/precision.h"
 #include "polhode/rotation_state.h"
 
@@ -23,9 +25,17 @@ inline btVector3 to_bullet(const Vector3& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
+// Number by number and in place: a copy in vectors of what was stored number by number just before would wait
+// for it.
+inline void to_bullet(const Matrix3& m, btMatrix3x3& result) {
+  const auto rounded = [&m](int row, int column) { return static_cast<btScalar>(m(row, column)); };
+  result.setValue(rounded(0, 0), rounded(0, 1), rounded(0, 2), rounded(1, 0), rounded(1, 1), rounded(1, 2),
+                  rounded(2, 0), rounded(2, 1), rounded(2, 2));
+}
+
 inline btMatrix3x3 to_bullet(const Matrix3& m) {
   btMatrix3x3 result;
-  for (int row = 0; row < 3; ++row) result[row] = to_bullet(Vector3(m.row(row)));
+  to_bullet(m, result);
   return result;
 }
 
@@ -34,13 +44,28 @@ inline Quaternion to_quaternion(const btMatrix3x3& basis) {
   return Quaternion(to_double(basis)).normalized();
 }
 
+/// Three numbers as Bullet holds them, without the fourth that it pads with.
+using PackedVector = std::array<btScalar, 3>;
+
+inline PackedVector packed(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+inline btVector3 unpacked(const PackedVector& v) {
+  return {v[0], v[1], v[2]};
+}
+
 /// Equal values in every component; the fourth, which Bullet pads with, does not count.
 inline bool same(const btVector3& a, const btVector3& b) {
   return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
 }
 
 inline bool same(const btMatrix3x3& a, const btMatrix3x3& b) {
-  return same(a[0], b[0]) && same(a[1], b[1]) && same(a[2], b[2]);
+  bool result = true;  // without a branch for each
+  for (int row = 0; row < 3; ++row) {
+    result &= (a[row].x() == b[row].x()) & (a[row].y() == b[row].y()) & (a[row].z() == b[row].z());
+  }
+  return result;
 }
 
 }  // namespace POLHODE_PRECISION

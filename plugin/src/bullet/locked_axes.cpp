@@ -8,15 +8,6 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-bool has_unturnable_axis(const btRigidBody& body) {
-  const btVector3& inverse = body.getInvInertiaDiagLocal();
-  return inverse.x() == 0 || inverse.y() == 0 || inverse.z() == 0;
-}
-
-bool has_locked_axis(const btRigidBody& body) {
-  return !same(body.getAngularFactor(), btVector3(1, 1, 1));
-}
-
 Vector3 locked_change_W(const Matrix3& inverse_inertia_W, const Vector3& angular_factor,
                         const Vector3& free_change_W) {
   // Locked rows: (I_W^-1 torque)_i = -change_i; free rows: torque_i = 0.

@@ -2,6 +2,7 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include "bullet/conversions.h"
 #include "polhode/bullet/precision.h"
 #include "polhode/rotation_scheme.h"
 
@@ -10,10 +11,15 @@ inline namespace POLHODE_PRECISION {
 
 /// An inverse inertia of 0 on an axis means "does not turn about it": an infinite moment. A body that has one
 /// has no gyroscopic change, since with omega 0 about that axis omega x I omega acts about it alone.
-bool has_unturnable_axis(const btRigidBody& body);
+inline bool has_unturnable_axis(const btRigidBody& body) {
+  const btVector3& inverse = body.getInvInertiaDiagLocal();
+  return inverse.x() == 0 || inverse.y() == 0 || inverse.z() == 0;
+}
 
 /// An angular factor below 1 in some world axis holds the body back there.
-bool has_locked_axis(const btRigidBody& body);
+inline bool has_locked_axis(const btRigidBody& body) {
+  return !same(body.getAngularFactor(), btVector3(1, 1, 1));
+}
 
 /// Takes what a locked axis forbids out of the step from `start` to `end`: of the scheme's change of velocity
 /// the part that the locking torques leave (locked_change_W), and the orientation turned by that velocity

@@ -2,29 +2,122 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <array>
+#include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "bullet/bullet_replay.h"
+#include "bullet/conversions.h"
 #include "bullet/non_finite.h"
+#include "bullet/turns_together.h"
 #include "polhode/bullet/rotation_control.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// One body under one scheme: its double state, and what Bullet's body said when the two last agreed.
+/// Whether Bullet has turned the body in this step already.
+enum class BulletsTurn {
+  made,      ///< Bullet integrated; its turn is replaced
+  left_out,  ///< Bullet did not see the body; it is moved on here, too
+};
+
+/// One body's step from what Bullet's solver left to what is written back.
+struct PendingStep {
+  // Found by prepare_step.
+  BulletsTurn bullets_turn;
+  bool is_in_place;  // nobody has turned it since its pose was written
+  btVector3 solved_W;
+  double turned_fraction;  // of dt: less than 1 where continuous collision detection stopped it
+  // As the body was known, then as Bullet's turn by solved_W over dt would have it, and at last as it is to
+  // be; the first two are not looked at if is_in_place.
+  btMatrix3x3 basis;
+
+  // By start_step.
+  StepInput input;
+  RotationState state;  // in: the start of the step; out: its end
+  Quaternion start_q_WB;
+  bool has_late_kick;
+  Vector3 late_kick_W;
+
+  // For write_step.
+  Vector3 mean_omega_W;  // from the start to the end
+};
+
+/// One body of the world, under a scheme or not: its double state, and what Bullet's body said when the two
+/// last agreed. A step walks all of them, so it is kept small: what Bullet holds of the orientation and of
+/// the velocity is as a rule the state, rounded, and not kept a second time; what few bodies have is in
+/// RarePart.
 class ManagedBody {
  public:
-  /// Takes the body over as it is and clears its gyroscopic flags.
-  ManagedBody(btRigidBody& body, SchemePointer scheme);
+  explicit ManagedBody(btRigidBody& body);
+  ManagedBody(ManagedBody&&) noexcept = default;
+  ManagedBody& operator=(ManagedBody&&) noexcept = default;
+  ~ManagedBody() = default;
 
+  /// Whether this is about that body and no other that had its address.
+  bool is_about(const btRigidBody& body) const;
+  btRigidBody* address() const { return body_; }
+
+  /// @name What the application chose
+  /// @{
+  void choose_default() { choose(Choice::world_default, nullptr); }
+  void choose_own(SchemePointer scheme) { choose(Choice::own_scheme, std::move(scheme)); }
+  void choose_release() { choose(Choice::released, nullptr); }
+  /// The scheme that should rotate the body; null: none.
+  const RotationScheme* wanted(const RotationScheme* world_default) const {
+    return choice_ == Choice::world_default ? world_default : chosen();
+  }
+  /// @}
+
+  const RotationScheme* scheme() const { return scheme_; }
+  bool is_managed() const { return scheme_ != nullptr; }
+  bool keeps_rotation() const { return keeps_rotation_; }
+
+  /// Takes the body over as it is and clears its gyroscopic flags.
+  void take_on(const RotationScheme& scheme);
   /// Gives the body its gyroscopic flags back.
-  void give_back_flags();
+  void give_back();
+  /// Forgets the scheme without touching the body.
+  void forget_scheme();
 
   /// Before the solver. Takes over what the application changed; takes out what is not finite.
-  std::optional<IncidentKind> begin_step();
+  void begin_step();
 
-  /// After Bullet integrated by dt. Replaces Bullet's turn by the scheme's.
-  std::optional<IncidentKind> finish_step(btScalar dt, BulletReplay& replay);
+  /// After begin_step: whether Bullet need not move and turn the body in this step.
+  bool can_leave_out_bullet() const;
+  /// What btDiscreteDynamicsWorld::predictUnconstraintMotion does for the body, but for the turn, which is
+  /// returned.
+  BasisTurn predict(btScalar dt);
+  bool leaves_out_bullet() const { return leaves_out_bullet_; }
+  void set_leaves_out_bullet(bool leaves_out) { leaves_out_bullet_ = leaves_out; }
+
+  /// @name After the solver, one after the other
+  /// @{
+  /// False: there is no step to be taken, all is done.
+  bool prepare_step(btScalar dt, BulletsTurn bullets_turn, PendingStep& pending);
+  /// Fills in what the step starts from and is told.
+  void start_step(btScalar dt, BulletReplay& replay, PendingStep& pending);
+  /// Whether it may not turn freely about some axis; step_held then takes the scheme's step.
+  bool is_held() const;
+  void step_held(PendingStep& pending);
+  /// When the scheme has taken the step. False: the body has diverged and stopped; else write_step has to be
+  /// called.
+  bool accept_step(PendingStep& pending);
+  void write_step(const PendingStep& pending);
+  /// @}
+  /// What the scheme is to be given: its memory of the body, or `fresh` if the body swells and its matrix is
+  /// there.
+  SchemeMemory& memory_of_scheme(SchemeMemory& fresh) { return keeps_rotation_ ? memory_ : fresh; }
+
+  /// What begin_step or the last step came upon, once.
+  std::optional<IncidentKind> take_incident();
+  bool has_incident() const { return incident_ != 0; }
+  /// Whether the handler has not heard of this kind for this body; from now on it has.
+  bool is_first_report(IncidentKind kind);
+
+  /// What begin_step looks at comes first.
+  static constexpr std::size_t kBytesOfStart = 192;
 
   /// The state, with what the application changed since.
   BodyRotation rotation() const;
@@ -32,38 +125,82 @@ class ManagedBody {
   /// Hands the basis that is no rotation, if the scheme keeps one, to the body's motion state.
   void show_swollen() const;
 
-  const SchemePointer& scheme() const { return scheme_; }
-  bool keeps_rotation() const { return keeps_rotation_; }
-
  private:
+  enum class Choice : std::uint16_t { world_default, own_scheme, released };
+
+  using StoredMatrix = std::array<double, 9>;
+
+  struct RarePart {
+    SchemePointer own_scheme;
+    Vector3 torque_W = Vector3::Zero();  // of the step before
+    Vector3 torque_B = Vector3::Zero();
+    // Where the body is not as the state rounded: as the application placed it, or diverged.
+    bool has_found = false;
+    btMatrix3x3 found_basis;
+    btVector3 found_omega_W;
+  };
+
+  void choose(Choice choice, SchemePointer scheme);
+  const RotationScheme* chosen() const;
+  RarePart& rare();
+  void read_state(RotationState& state) const;
+  void set_state(const RotationState& state);
+  Matrix3 swollen_R_WB() const;
+
+  // What Bullet's body said when it and the state last agreed; always finite.
+  Motion known() const;
+  btMatrix3x3 known_basis() const;
+  btVector3 known_omega_W() const;
+  void know(const Motion& motion);
+  void know_place(const btVector3& origin, const btVector3& linear_velocity);
+  bool has_found() const { return rare_ != nullptr && rare_->has_found; }
+  void forget_found();
+
   void clear_flags();
+  bool is_as_written() const;
+  bool changed_state(RotationState& state) const;
   void take_over_changes();
   void agree_with_omega(RotationState& state) const;
   void come_to_rest();
-  std::optional<IncidentKind> replace_turn(btScalar dt, BulletReplay& replay);
+  bool is_where_it_was(const RotationState& state) const;
+  bool needs_step(btScalar dt, BulletsTurn bullets_turn);
+  bool was_placed(BulletsTurn bullets_turn) const;
+  void mend_what_is_not_finite();
+  void move_like_bullet(btScalar dt);
+  void move(const btVector3& origin, btScalar dt, btVector3& moved) const;
   double turned_fraction(btScalar dt) const;
-  void take_over_move(const btVector3& solved_W, btScalar turn_dt, bool clamped, BulletReplay& replay);
-  void start_from(const btVector3& solver_start_W);
-  void note_torque(StepInput& input);
-  RotationState stepped(const StepInput& input);
+  void take_over_move(PendingStep& pending, btScalar dt, BulletReplay& replay) const;
+  void note_torque(const RotationState& state, StepInput& input);
+  void forget_torque();
   void stop_spinning();
-  void write_pose();
-  void write(const RotationState& start, double dt);
+  void write_pose(const btMatrix3x3& basis);
+  void note(IncidentKind kind);
 
+  // In the order in which a step comes to need it: what begin_step looks at first.
   btRigidBody* body_;
-  SchemePointer scheme_;
-  RotationState state_;
-  SchemeMemory memory_;
-  Motion known_;  // the body where it agrees with state_; always finite
-  btVector3 known_inverse_inertia_B_;
-  Vector3 known_torque_W_ = Vector3::Zero();  // of the step before
-  Vector3 known_torque_B_ = Vector3::Zero();
+  const RotationScheme* scheme_ = nullptr;
+  std::unique_ptr<RarePart> rare_;
+  int identity_;
+  std::uint16_t flags_of_application_ : 4;  // the gyroscopic ones
+  Choice choice_ : 2;
+  std::uint16_t reported_ : 2;  // a bit for each IncidentKind
+  std::uint16_t incident_ : 2;  // 1 + IncidentKind, 0: none
+  bool keeps_rotation_ : 1;
+  bool start_is_known_ : 1;  // whether omega_W_ is what the next solve starts from
+  bool diverged_ : 1;
+  bool leaves_out_bullet_ : 1;
+  Quaternion q_WB_ = Quaternion::Identity();
+  Vector3 omega_W_ = Vector3::Zero();
+  PackedVector known_inverse_inertia_B_{};
+  PackedVector known_origin_{};
+  PackedVector known_linear_velocity_{};
+  Vector3 L_W_ = Vector3::Zero();
   std::uint64_t steps_ = 0;
-  int flags_of_application_ = 0;  // the gyroscopic ones
-  bool keeps_rotation_;
-  bool start_is_known_ = false;  // whether state_.omega_W is what the next solve starts from
-  bool diverged_ = false;
+  SchemeMemory memory_;  // of the scheme; the matrix of a body that swells
 };
+
+// Half a world's memory traffic in a step is this; the other half is Bullet's.
+static_assert(sizeof(ManagedBody) <= 376 || sizeof(SchemeMemory) > 184, "a body's bytes are counted");
 
 }  // namespace POLHODE_PRECISION
 }  // namespace polhode

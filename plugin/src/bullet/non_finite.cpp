@@ -2,39 +2,24 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
-#include <cmath>
-
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 namespace {
 
-bool is_finite(const btVector3& v) {
-  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
-bool is_finite(const btMatrix3x3& basis) {
-  return is_finite(basis[0]) && is_finite(basis[1]) && is_finite(basis[2]);
-}
-
-bool is_finite(const btTransform& pose) {
-  return is_finite(pose.getOrigin()) && is_finite(pose.getBasis());
-}
-
 bool forces_are_finite(const btRigidBody& body) {
-  return is_finite(body.getTotalForce()) && is_finite(body.getTotalTorque());
+  return are_finite(body.getTotalForce(), body.getTotalTorque());
 }
 
 }  // namespace
 
-bool is_finite(const btRigidBody& body) {
-  return is_finite(body.getWorldTransform()) && is_finite(body.getLinearVelocity()) &&
-         is_finite(body.getAngularVelocity()) && forces_are_finite(body);
+Motion motion_of(const btRigidBody& body) {
+  return {body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity()};
 }
 
 Motion finite_motion(const btRigidBody& body, const Motion& fallback) {
   const auto choose = [](const auto& found, const auto& otherwise) {
-    return is_finite(found) ? found : otherwise;
+    return are_finite(found) ? found : otherwise;
   };
   const btTransform& pose = body.getWorldTransform();
   return {btTransform(choose(pose.getBasis(), fallback.pose.getBasis()),
@@ -45,7 +30,7 @@ Motion finite_motion(const btRigidBody& body, const Motion& fallback) {
 
 void mend(btRigidBody& body, const Motion& fallback) {
   const Motion motion = finite_motion(body, fallback);
-  if (!is_finite(body.getWorldTransform()) && body.getActivationState() == DISABLE_SIMULATION) {
+  if (!are_finite(body.getWorldTransform()) && body.getActivationState() == DISABLE_SIMULATION) {
     body.forceActivationState(ACTIVE_TAG);
   }
   if (!forces_are_finite(body)) body.clearForces();

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "free_top/substep.h"
 #include "polhode/rotation_state.h"
 
 namespace polhode::free_top {
@@ -11,38 +12,37 @@ namespace polhode::free_top {
 /// once by make_free_top_step; a step then needs neither an elliptic nor a trigonometric function.
 /// Trivially copyable, so that it can be kept in a SchemeMemory.
 struct FreeTopStep {
-  using Triple = std::array<double, 3>;
-
   // What it was made for.
-  Triple inertia_B;
+  Triple<double> inertia_B;
   double dt;
 
-  /// The body's axes in the order 1, 2, 3 of the formulas: the polhode closes round axis 3, axis 2 is the
-  /// middle one. L, mu and the constants of the map are in this order.
-  std::array<std::uint8_t, 3> axis;
-  std::uint16_t substeps;  ///< the map is taken so often in one step; 0: L stands still in the body
-
-  Triple L;   ///< the momentum in body axes now
-  Triple mu;  ///< of the turn: e0 e_i = mu_i (L_i + L'_i)
-
-  // Of the map L -> L' of a substep, the addition theorem.
-  double cn;
-  double dn;
-  Triple slope;
-  double denominator_slope;
-  std::array<double, 2> pull_12;  ///< back to the invariant that holds L_1 and L_2
-  std::array<double, 2> pull_23;  ///< back to the one that holds L_2 and L_3
+  std::array<std::uint8_t, 3> axes;  ///< see labels.h
+  std::uint16_t substeps;            ///< so many make one step; 0: it is only the turn about L
+  Triple<double> L;                  ///< the momentum in body axes now, in the order of the formulas
+  Substep<double> substep;
 
   // The turn about L that is split off a long step, and all that there is if L stands still.
   double cos_about_L;
   double sin_about_L_per_length;
+
+  /// A substep and nothing else.
+  bool is_short() const { return substeps == 1 && sin_about_L_per_length == 0.0; }
 };
 
-/// inertia_B: principal moments, kg m^2, each > 0. L_B: the angular momentum in body axes, kg m^2/s, not
-/// zero. dt in s. Where a result is beyond double precision the step's turn is not finite.
+/// |L|, kg m^2/s, under which a body is taken to be at rest: its square would underflow.
+inline constexpr double kAtRest = 1e-140;
+
+/// inertia_B: principal moments, kg m^2, each > 0. L_B: the angular momentum in body axes, kg m^2/s, at
+/// least kAtRest. dt in s. Where a result is beyond double precision the step's turn is not finite.
 FreeTopStep make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, double dt);
 
-/// Whether the step was made for this inertia and length, and its momentum is L_B up to rounding.
+/// Whether the step was made for this inertia and length.
+inline bool is_made_for(const FreeTopStep& step, const Vector3& inertia_B, double dt) {
+  return step.dt == dt && step.inertia_B[0] == inertia_B.x() && step.inertia_B[1] == inertia_B.y() &&
+         step.inertia_B[2] == inertia_B.z();
+}
+
+/// is_made_for, and its momentum is L_B up to rounding.
 bool fits(const FreeTopStep& step, const Vector3& inertia_B, const Vector3& L_B, double dt);
 
 /// Takes the step: returns the orientation after it. L_W is the constant momentum.

@@ -13,27 +13,35 @@
 // In free flight it follows Bullet to rounding. Where a body touches or is joined to another it follows
 // closely, not to rounding: Bullet hands delta_omega to the solver before it solves, the adapter adds every
 // scheme's after.
+#include "lanes/instruction_sets.h"
+#include "lanes/lane_step.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  const Vector3 omega_W =
-      state.omega_W + input.delta_omega_W + implicit_gyroscopic_change_W(state, input.inertia_B, input.dt);
-  set_orientation(state, turn_like_bullet(state.q_WB, omega_W, input.turn_dt));
+void step(const LaneInput& input, LaneState& state) {
+  const Vector3L omega_W =
+      state.omega_W + input.delta_omega_W +
+      formulas::implicit_gyroscopic_change_W(state.R_WB, input.inertia_B, state.omega_W, input.dt);
+  set_orientation(state, formulas::turn_like_bullet(state.q_WB, omega_W, input.turn_dt));
   set_omega(state, input.inertia_B, omega_W);
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
+  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
 }
 
 }  // namespace
 
 const RotationScheme& bullet() {
-  static const SchemeDefinition scheme({"bullet", "Bullet's default update reproduced, the control",
-                                        "Bullet 3.24, btRigidBody.cpp, btTransformUtil.h",
-                                        "|omega| dt > pi/4: turns less than the velocity it reports", 1,
-                                        Conservation::lost, Conservation::lost, Conservation::exact},
-                                       step);
+  static const LaneSchemeDefinition scheme({"bullet", "Bullet's default update reproduced, the control",
+                                            "Bullet 3.24, btRigidBody.cpp, btTransformUtil.h",
+                                            "|omega| dt > pi/4: turns less than the velocity it reports", 1,
+                                            Conservation::lost, Conservation::lost, Conservation::exact},
+                                           step_bodies);
   return scheme;
 }
 

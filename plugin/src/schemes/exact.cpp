@@ -6,12 +6,13 @@
 //   omega_{t+1} = I_W(q_{t+1})^-1 L_W
 //
 // The constants are kept in the body's memory while it moves freely at the same dt. Derivation and sources:
-// free_top/free_top_step.cpp.
+// free_top/.
 //
 // Order: free motion has no error. Torques that act alone, constant over a step in the world or in the body:
 // order 2. Contacts, joints: as the solver, order 1. Conserves: energy, L_W, det R exactly.
 // Fails when: |omega| dt times rounding is no longer small: past 1e9 rad a step the angle is known to 1e-7.
-#include "free_top/free_top_step.h"
+#include "free_top/lane_steps.h"
+#include "free_top/momentum_match.h"
 #include "schemes/kick_drift.h"
 #include "schemes/scheme_definition.h"
 
@@ -19,29 +20,78 @@ namespace polhode::schemes {
 
 namespace {
 
-// |L|^2 of a body at rest, (kg m^2/s)^2: its square would underflow.
-constexpr double kAtRest = 1e-280;
+using free_top::FreeTopStep;
+using free_top::LaneBodies;
 
-// Turns q_WB so that it takes L_B to L_W. By rounding alone the two would part, as a random walk.
-Quaternion aligned(const Quaternion& q_WB, const Vector3& L_B, const Vector3& found_L_B) {
-  // The smallest turn that takes L_B to found_L_B = q_WB^-1 L_W; first order is enough, for it is of 1e-16
-  // rad.
-  const Vector3 half_turn_B = L_B.cross(found_L_B) / (2.0 * L_B.squaredNorm());
-  return q_WB * Quaternion(1.0, half_turn_B.x(), half_turn_B.y(), half_turn_B.z());
-}
-
-void drift(const StepInput& input, const Vector3& L_W, RotationState& state, SchemeMemory& memory) {
+void drift(const StepInput& input, const Vector3& L_W, RotationState& state, FreeTopStep& step) {
   const Vector3 L_B = state.R_WB.transpose() * L_W;
-  if (L_B.squaredNorm() < kAtRest) return;
-  auto& step = memory.get<free_top::FreeTopStep>();
+  if (L_B.norm() < free_top::kAtRest) return;
   Quaternion q_WB = state.q_WB;
   if (free_top::fits(step, input.inertia_B, L_B, input.turn_dt)) {
-    q_WB = aligned(q_WB, free_top::angular_momentum_B(step), L_B);
+    q_WB = q_WB * free_top::alignment(free_top::angular_momentum_B(step), L_B);
   } else {
     step = free_top::make_free_top_step(input.inertia_B, L_B, input.turn_dt);
   }
   set_orientation(state, free_top::advance(step, q_WB, L_W).normalized());
 }
+
+// A step of any kind.
+void step_alone(const BodyStep& body, FreeTopStep& step) {
+  kick_and_drift(*body.input, *body.state,
+                 [&](const Vector3& L_W) { drift(*body.input, L_W, *body.state, step); });
+}
+
+// Puts bodies together that take the same kind of step. Which kind a body takes is its own affair, never that
+// of the company it is in.
+class Groups {
+ public:
+  void add(const BodyStep& body) {
+    const StepInput& input = *body.input;
+    auto& step = body.memory->get<FreeTopStep>();
+    if (!input.torque_W.isZero(0.0)) {
+      step_alone(body, step);
+    } else if (!input.delta_omega_W.isZero(0.0) || !is_made_for(step, input.inertia_B, input.turn_dt)) {
+      add_to_changed(body, step);
+    } else if (!step.is_short()) {
+      step_alone(body, step);
+    } else {
+      free_.add(body, step);
+      if (free_.is_full()) step_free();
+    }
+  }
+
+  void finish() {
+    if (!free_.is_empty()) step_free();
+    if (!changed_.is_empty()) step_changed();
+  }
+
+ private:
+  void add_to_changed(const BodyStep& body, FreeTopStep& step) {
+    changed_.add(body, step);
+    if (changed_.is_full()) step_changed();
+  }
+
+  void step_free() {
+    free_.fill_up();
+    const free_top::LanesLeft left = free_top::take_steps(free_);
+    for (std::size_t lane = 0; lane < kLanes && left.any(); ++lane) {
+      if (left[lane]) add_to_changed(free_.body(lane), free_.step(lane));
+    }
+    free_.clear();
+  }
+
+  void step_changed() {
+    changed_.fill_up();
+    const free_top::LanesLeft left = free_top::make_and_take_steps(changed_);
+    for (std::size_t lane = 0; lane < kLanes && left.any(); ++lane) {
+      if (left[lane]) step_alone(changed_.body(lane), changed_.step(lane));
+    }
+    changed_.clear();
+  }
+
+  LaneBodies free_;     // with a FreeTopStep that fits, but perhaps for L
+  LaneBodies changed_;  // in need of another FreeTopStep
+};
 
 class Exact final : public RotationScheme {
  public:
@@ -63,7 +113,14 @@ class Exact final : public RotationScheme {
 
   void step_with_memory(const StepInput& input, RotationState& state,
                         SchemeMemory& memory) const noexcept override {
-    kick_and_drift(input, state, [&](const Vector3& L_W) { drift(input, L_W, state, memory); });
+    const BodyStep body = {&input, &state, &memory};
+    step_bodies(&body, 1);
+  }
+
+  void step_bodies(const BodyStep* bodies, std::size_t count) const noexcept override {
+    Groups groups;
+    for (std::size_t i = 0; i < count; ++i) groups.add(bodies[i]);
+    groups.finish();
   }
 };
 

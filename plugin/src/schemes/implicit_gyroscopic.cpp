@@ -15,28 +15,36 @@
 // Fails when: |omega| dt is not small: a tumble dies within seconds. It does not blow up, but from some 1.4
 // rad a step on the one Newton step may miss by far and energy leap up, a hundred-thousandfold if moments
 // differ much.
+#include "lanes/instruction_sets.h"
+#include "lanes/lane_step.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  const Vector3 omega_W =
-      state.omega_W + input.delta_omega_W + implicit_gyroscopic_change_W(state, input.inertia_B, input.dt);
-  set_orientation(state, turn_by_euler(state.q_WB, omega_W, input.turn_dt));
+void step(const LaneInput& input, LaneState& state) {
+  const Vector3L omega_W =
+      state.omega_W + input.delta_omega_W +
+      formulas::implicit_gyroscopic_change_W(state.R_WB, input.inertia_B, state.omega_W, input.dt);
+  set_orientation(state, formulas::turn_by_euler(state.q_WB, omega_W, input.turn_dt));
   set_omega(state, input.inertia_B, omega_W);
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
+  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
 }
 
 }  // namespace
 
 const RotationScheme& implicit_gyroscopic() {
-  static const SchemeDefinition scheme(
+  static const LaneSchemeDefinition scheme(
       {"implicit_gyroscopic", "gyroscopic torque by one Newton step of implicit Euler, which loses energy",
        "handout eq. 6-10, problem 4",
        "|omega| dt is not small: a tumble dies within seconds; past 1.4 energy may leap up", 1,
        Conservation::lost, Conservation::lost, Conservation::exact},
-      step);
+      step_bodies);
   return scheme;
 }
 

@@ -4,6 +4,8 @@
 //   omega_{t+1} = I_t^-1 l_{t+1}         (step 2, Omega by eq. 2)
 //   R_{t+1} = R_t + dt Omega_{t+1} R_t   (step 3)
 //
+// and q_{t+1} is the rotation nearest to R_{t+1} (nearest_rotation.h).
+//
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 1.
 // Order: 1. Conserves: L_W exactly; energy not; det R not: each step multiplies it by 1 + |omega|^2 dt^2.
 // Fails when: always, in the end. R leaves SO(3) from the first step on, and once R R^T is far from the
@@ -12,38 +14,38 @@
 // The velocity left behind is I_{t+1}^-1 l, the one the next step turns with, so that omega and L agree
 // between steps. A kick counts by the velocity it makes, so that a contact that stops the body stops it;
 // since I_t shrinks as R swells, the momentum that a torque brings shrinks with it.
-#include <Eigen/SVD>
-
+#include "lanes/instruction_sets.h"
+#include "lanes/lane_step.h"
+#include "schemes/nearest_rotation.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-// The rotation that q_WB reports for a matrix that is none: the nearest one, U V^T of its singular value
-// decomposition.
-Quaternion nearest_rotation(const Matrix3& R) {
-  if (!R.allFinite()) return Quaternion::Identity();
-  const Eigen::JacobiSVD<Matrix3> svd(R, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  return Quaternion(Matrix3(svd.matrixU() * svd.matrixV().transpose())).normalized();
+void step(const LaneInput& input, LaneState& state) {
+  const Vector3L L_W =
+      state.L_W + formulas::angular_momentum_W(state.R_WB, input.inertia_B, input.delta_omega_W);
+  const Vector3L omega_W = formulas::inverse_inertia_W(state.R_WB, input.inertia_B) * L_W;
+  const Vector3L turn_W = input.turn_dt * omega_W;
+  for (int i = 0; i < 3; ++i) state.R_WB.col(i) += turn_W.cross(state.R_WB.col(i));
+  state.q_WB = nearest_rotation(state.R_WB, state.q_WB);
+  set_angular_momentum(state, input.inertia_B, L_W);
 }
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  const Vector3 L_W = state.L_W + angular_momentum_W(state.R_WB, input.inertia_B, input.delta_omega_W);
-  const Vector3 omega_W = inverse_inertia_W(state.R_WB, input.inertia_B) * L_W;
-  state.R_WB += input.turn_dt * skew(omega_W) * state.R_WB;
-  state.q_WB = nearest_rotation(state.R_WB);
-  set_angular_momentum(state, input.inertia_B, L_W);
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
+  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
 }
 
 }  // namespace
 
 const RotationScheme& matrix() {
-  static const SchemeDefinition scheme(
+  static const LaneSchemeDefinition scheme(
       {"matrix", "Euler step of the rotation matrix, which swells", "handout eq. 1-2, problem 1",
        "always in the end: det R grows by 1 + |omega|^2 dt^2 a step", 1, Conservation::lost,
        Conservation::exact, Conservation::lost},
-      step);
+      step_bodies);
   return scheme;
 }
 

@@ -10,30 +10,37 @@
 // Order: 1. Conserves: neither energy nor L; det R exactly.
 // Fails when: it runs long enough. The torque is quadratic in omega, so the energy it gains feeds its own
 // growth.
+#include "lanes/instruction_sets.h"
+#include "lanes/lane_step.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-void step(const StepInput& input, RotationState& state) noexcept {
+void step(const LaneInput& input, LaneState& state) {
   // L_W = I_t omega_t; the same product, whose value at the start of the step the state carries.
-  const Vector3 gyroscopic_torque_W = state.omega_W.cross(state.L_W);
-  const Vector3 gyroscopic_change_W =
-      -input.dt * (inverse_inertia_W(state.R_WB, input.inertia_B) * gyroscopic_torque_W);
-  const Vector3 omega_W = state.omega_W + input.delta_omega_W + gyroscopic_change_W;
-  set_orientation(state, turn_by_euler(state.q_WB, omega_W, input.turn_dt));
+  const Vector3L gyroscopic_torque_W = state.omega_W.cross(state.L_W);
+  const Vector3L gyroscopic_change_W =
+      -input.dt * formulas::times_inverse_inertia_W(state.R_WB, input.inertia_B, gyroscopic_torque_W);
+  const Vector3L omega_W = state.omega_W + input.delta_omega_W + gyroscopic_change_W;
+  set_orientation(state, formulas::turn_by_euler(state.q_WB, omega_W, input.turn_dt));
   set_omega(state, input.inertia_B, omega_W);
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
+  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
 }
 
 }  // namespace
 
 const RotationScheme& semi_implicit_gyroscopic() {
-  static const SchemeDefinition scheme(
+  static const LaneSchemeDefinition scheme(
       {"semi_implicit_gyroscopic", "gyroscopic torque by semi-implicit Euler, which gains energy",
        "handout eq. 4-5, problem 3", "it runs long: energy grows without bound until it overflows", 1,
        Conservation::lost, Conservation::lost, Conservation::exact},
-      step);
+      step_bodies);
   return scheme;
 }
 

@@ -1,11 +1,10 @@
 // RotationWorld and RotationPlugin give the same bits, on each kind of world that they claim.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "polhode/bullet/rotation_plugin.h"
 #include "polhode/bullet/rotation_world.h"
 #include "support/precision.h"
+#include "support/same_body_bits.h"
 #include "support/scene.h"
 
 namespace polhode::testing {
@@ -33,21 +32,6 @@ void choose_schemes(RotationControl& rotation, const std::vector<std::unique_ptr
   for (std::size_t i = 1; i < bodies.size(); i += 2) {
     rotation.set_scheme(*bodies[i], schemes[i / 2 % schemes.size()]);
   }
-}
-
-bool same_bits(const btVector3& a, const btVector3& b) {
-  return std::memcmp(a.m_floats, b.m_floats, 3 * sizeof(btScalar)) == 0;
-}
-
-bool same_bits(const btRigidBody& a, const btRigidBody& b) {
-  const btTransform& pose_a = a.getWorldTransform();
-  const btTransform& pose_b = b.getWorldTransform();
-  for (int row = 0; row < 3; ++row) {
-    if (!same_bits(pose_a.getBasis()[row], pose_b.getBasis()[row])) return false;
-  }
-  return same_bits(pose_a.getOrigin(), pose_b.getOrigin()) &&
-         same_bits(a.getLinearVelocity(), b.getLinearVelocity()) &&
-         same_bits(a.getAngularVelocity(), b.getAngularVelocity());
 }
 
 template <class World, class OtherWorld>

@@ -24,7 +24,7 @@ struct BodyRotation {
   std::string_view scheme;  ///< its name
 };
 
-enum class IncidentKind {
+enum class IncidentKind : std::uint8_t {
   scheme_diverged,  ///< the scheme left the finite or went past the bounds of rotation_limits.h
   non_finite_body,  ///< a NaN or infinity was found in the body's pose, velocity or forces and was taken out
 };
@@ -38,6 +38,8 @@ struct Incident {
 /// Called within a step, when its bodies are done; once for each body and kind. It may choose another scheme
 /// for the body, release it or take it out of the world. What it throws is dropped.
 using IncidentHandler = std::function<void(const Incident&)>;
+
+class WorldBodies;
 
 /// Which body of a world is rotated by which scheme, and how they are doing. A RotationWorld and a
 /// RotationPlugin each have one, `rotation()`.
@@ -94,6 +96,21 @@ class RotationControl {
   void begin_step() noexcept;
   /// After Bullet's own integration by dt seconds: rotates every managed body that Bullet moved.
   void finish_step(btScalar dt) noexcept;
+
+  /// begin_step, for a world that can pass over bodies: predicts where `own` bodies of the library come in dt
+  /// seconds. Until the step ends Bullet need not move and turn them; it has to be kept from them by
+  /// hide_own_bodies where it would. All others are left to Bullet, for finish_other_bodies.
+  void begin_step_and_predict(btScalar dt) noexcept;
+  /// Takes the own bodies out of the world's list of bodies until unhide_own_bodies.
+  void hide_own_bodies();
+  void unhide_own_bodies() noexcept;
+  /// After the solver, in place of Bullet's integration.
+  void move_and_rotate_own_bodies(btScalar dt) noexcept;
+  /// finish_step, for the others.
+  void finish_other_bodies(btScalar dt) noexcept;
+  /// Hands the pose of each own body that is awake to its motion state.
+  void show_own_bodies();
+
   /// Hands the R_WB of bodies whose scheme does not keep a rotation to their motion states as it is.
   void show_swollen_bodies() noexcept;
   /// A body entered or is leaving the world.
@@ -110,8 +127,7 @@ class RotationControl {
   /// @}
 
  private:
-  class Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<WorldBodies> bodies_;
 };
 
 }  // namespace POLHODE_PRECISION

@@ -7,6 +7,10 @@
 
 #include "polhode/bullet/rotation_control.h"
 
+class btDiscreteDynamicsWorldMt;
+class btSoftRigidDynamicsWorld;
+class btMultiBodyDynamicsWorld;
+
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -47,22 +51,67 @@ class RotationWorld : public Base {
   }
 
   void synchronizeMotionStates() override {
-    Base::synchronizeMotionStates();
+    if (bullet_shows_poses()) {
+      Base::synchronizeMotionStates();
+    } else {
+      rotation_.show_own_bodies();
+      with_own_bodies_hidden([&] { Base::synchronizeMotionStates(); });
+    }
     rotation_.show_swollen_bodies();
   }
 
  protected:
   void predictUnconstraintMotion(btScalar dt) override {
-    rotation_.begin_step();
-    Base::predictUnconstraintMotion(dt);
+    if (kBulletsOwn) {
+      rotation_.begin_step_and_predict(dt);
+    } else {
+      rotation_.begin_step();
+    }
+    with_own_bodies_hidden([&] { Base::predictUnconstraintMotion(dt); });
+  }
+
+  void createPredictiveContacts(btScalar dt) override {
+    with_own_bodies_hidden([&] { Base::createPredictiveContacts(dt); });
   }
 
   void integrateTransforms(btScalar dt) override {
-    Base::integrateTransforms(dt);
-    rotation_.finish_step(dt);
+    if (kBulletsOwn) rotation_.move_and_rotate_own_bodies(dt);
+    with_own_bodies_hidden([&] { Base::integrateTransforms(dt); });
+    if (kBulletsOwn) {
+      rotation_.finish_other_bodies(dt);
+    } else {
+      rotation_.finish_step(dt);
+    }
   }
 
  private:
+  // Bullet's own worlds do nothing in these phases but turn and move the bodies in their list. What an
+  // application's class does there is not known: it sees all bodies, Bullet turns them and the turn is
+  // replaced.
+  static constexpr bool kBulletsOwn =
+      std::is_same_v<Base, btDiscreteDynamicsWorld> || std::is_same_v<Base, btDiscreteDynamicsWorldMt> ||
+      std::is_same_v<Base, btSoftRigidDynamicsWorld> || std::is_same_v<Base, btMultiBodyDynamicsWorld>;
+
+  // Bullet's turn is due between two steps, where motion states are interpolated.
+  bool bullet_shows_poses() const {
+    const bool interpolates = this->m_latencyMotionStateInterpolation && this->m_fixedTimeStep != 0
+                                  ? this->m_localTime != this->m_fixedTimeStep
+                                  : this->m_localTime != 0;
+    return !kBulletsOwn || interpolates || this->m_synchronizeAllMotionStates;
+  }
+
+  template <class Act>
+  void with_own_bodies_hidden(const Act& act) {
+    if (!kBulletsOwn) return act();
+    struct Hidden {
+      explicit Hidden(RotationControl& control) : rotation(control) { rotation.hide_own_bodies(); }
+      ~Hidden() { rotation.unhide_own_bodies(); }
+      RotationControl& rotation;
+    };
+    const Hidden hidden(rotation_);
+    act();
+  }
+
   RotationControl rotation_;
 };
 

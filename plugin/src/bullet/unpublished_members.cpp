@@ -1,4 +1,4 @@
-#include "bullet/body_identity.h"
+#include "bullet/unpublished_members.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
@@ -9,9 +9,17 @@ namespace {
 // apart can be equal in both: broadphases reuse proxy numbers, applications copy flags. The language exempts
 // an explicit instantiation from access checks ([temp.spec]); that lets a private member be named, and read,
 // without a cast.
-struct DebugBodyId {
-  using Member = int btRigidBody::*;
+template <class Value>
+struct MemberOfBody {
+  using Member = Value btRigidBody::*;
+};
+
+struct DebugBodyId : MemberOfBody<int> {
   friend Member member_of(DebugBodyId);
+};
+
+struct AdditionalDamping : MemberOfBody<bool> {
+  friend Member member_of(AdditionalDamping);
 };
 
 template <class Tag, typename Tag::Member member>
@@ -20,11 +28,16 @@ struct Reveal {
 };
 
 template struct Reveal<DebugBodyId, &btRigidBody::m_debugBodyId>;
+template struct Reveal<AdditionalDamping, &btRigidBody::m_additionalDamping>;
 
 }  // namespace
 
 int body_identity(const btRigidBody& body) {
   return body.*member_of(DebugBodyId());
+}
+
+bool has_additional_damping(const btRigidBody& body) {
+  return body.*member_of(AdditionalDamping());
 }
 
 }  // namespace POLHODE_PRECISION

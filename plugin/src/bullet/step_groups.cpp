@@ -1,0 +1,109 @@
+#include "bullet/step_groups.h"
+
+#include "lanes/mean_angular_velocity.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+void StepGroups::step(ManagedBody& body, btScalar dt, BulletsTurn bullets_turn) {
+  Group& group = group_of(*body.scheme());
+  group.dt = dt;
+  const bool is_pending = body.prepare_step(dt, bullets_turn, group.steps[group.count]);
+  if (body.has_incident()) note_incident();
+  if (!is_pending) return;
+  group.bodies[group.count] = &body;
+  ++group.count;
+  if (group.count == kBodies) complete(group);
+}
+
+void StepGroups::predict(ManagedBody& body, btScalar dt) {
+  predictions_[prediction_count_] = body.predict(dt);
+  ++prediction_count_;
+  if (prediction_count_ == kPredictions) complete_predictions(dt);
+}
+
+void StepGroups::complete_predictions(btScalar dt) {
+  turn_like_bullet(predictions_.data(), prediction_count_, dt, replay_);
+  prediction_count_ = 0;
+}
+
+void StepGroups::complete_all() {
+  for (Group& group : groups_) complete(group);
+}
+
+StepGroups::Group& StepGroups::group_of(const RotationScheme& scheme) {
+  for (Group& group : groups_) {
+    if (group.scheme == &scheme) return group;
+  }
+  Group& group = groups_[next_to_reuse_];
+  next_to_reuse_ = (next_to_reuse_ + 1) % kGroups;
+  complete(group);
+  group.scheme = &scheme;
+  return group;
+}
+
+// Each stage is a loop of its own: a processor waits long for a vector whose numbers were stored one by one
+// just before.
+void StepGroups::complete(Group& group) {
+  if (group.count == 0) return;
+  start(group);
+  take_steps(group);
+  find_mean_velocities(group);
+  write(group);
+  group.count = 0;
+}
+
+void StepGroups::start(Group& group) {
+  std::array<BasisTurn, kBodies> turns;
+  std::size_t turn_count = 0;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    PendingStep& step = group.steps[i];
+    if (step.bullets_turn == BulletsTurn::left_out || step.turned_fraction < 1.0) continue;
+    turns[turn_count] = {&step.basis, &step.solved_W, &step.basis};
+    ++turn_count;
+  }
+  turn_like_bullet(turns.data(), turn_count, group.dt, replay_);
+  for (std::size_t i = 0; i < group.count; ++i)
+    group.bodies[i]->start_step(group.dt, replay_, group.steps[i]);
+}
+
+void StepGroups::take_steps(Group& group) {
+  std::array<BodyStep, kBodies> free;
+  std::array<SchemeMemory, kBodies> fresh;
+  std::size_t free_count = 0;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    ManagedBody& body = *group.bodies[i];
+    PendingStep& step = group.steps[i];
+    if (body.is_held()) {
+      body.step_held(step);
+    } else {
+      free[free_count] = {&step.input, &step.state, &body.memory_of_scheme(fresh[i])};
+      ++free_count;
+    }
+  }
+  group.scheme->step_bodies(free.data(), free_count);
+}
+
+void StepGroups::find_mean_velocities(Group& group) {
+  std::array<OrientationPair, kBodies> orientations;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    orientations[i] = {&group.steps[i].start_q_WB, &group.steps[i].state.q_WB};
+  }
+  std::array<Vector3, kBodies> mean_omega_W;
+  mean_angular_velocities_W(orientations.data(), group.count, group.dt, mean_omega_W.data());
+  for (std::size_t i = 0; i < group.count; ++i) group.steps[i].mean_omega_W = mean_omega_W[i];
+}
+
+void StepGroups::write(Group& group) {
+  std::array<bool, kBodies> is_accepted;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    is_accepted[i] = group.bodies[i]->accept_step(group.steps[i]);
+    if (!is_accepted[i]) note_incident();
+  }
+  for (std::size_t i = 0; i < group.count; ++i) {
+    if (is_accepted[i]) group.bodies[i]->write_step(group.steps[i]);
+  }
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

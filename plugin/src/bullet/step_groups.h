@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "bullet/managed_body.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+/// Bodies that wait for their scheme's step, by scheme, so that a scheme takes many at once.
+class StepGroups {
+ public:
+  /// The body's prediction for a step of dt; it is completed at the latest by complete_predictions.
+  void predict(ManagedBody& body, btScalar dt);
+  void complete_predictions(btScalar dt);
+
+  /// Prepares the body's step; it is completed at the latest by complete_all.
+  void step(ManagedBody& body, btScalar dt, BulletsTurn bullets_turn);
+  void complete_all();
+
+  /// Whether a body that was stepped has an incident to report; asked once.
+  bool take_found_incidents() { return std::exchange(found_incidents_, false); }
+  void note_incident() { found_incidents_ = true; }
+
+ private:
+  // As many as leave the processor's nearest cache room for what is computed with them.
+  static constexpr std::size_t kGroups = 3;
+  static constexpr std::size_t kBodies = 16;
+  static constexpr std::size_t kPredictions = 32;
+
+  struct Group {
+    const RotationScheme* scheme = nullptr;
+    btScalar dt = 0;
+    std::size_t count = 0;
+    std::array<ManagedBody*, kBodies> bodies;
+    std::array<PendingStep, kBodies> steps;
+  };
+
+  Group& group_of(const RotationScheme& scheme);
+  void complete(Group& group);
+  void start(Group& group);
+  static void take_steps(Group& group);
+  static void find_mean_velocities(Group& group);
+  void write(Group& group);
+
+  std::array<Group, kGroups> groups_;
+  std::array<BasisTurn, kPredictions> predictions_;
+  std::size_t prediction_count_ = 0;
+  BulletReplay replay_;
+  std::size_t next_to_reuse_ = 0;
+  bool found_incidents_ = false;
+};
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

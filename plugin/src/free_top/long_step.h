@@ -1,0 +1,17 @@
+#pragma once
+
+#include "free_top/free_top_step.h"
+#include "free_top/motion.h"
+
+namespace polhode::free_top {
+
+/// Sets the constants of a step of several radians; step.axes and step.L are set. length is |L|.
+void set_long_step(FreeTopStep& step, const Motion<double>& motion, double parity, double length);
+
+/// Sets the turn by `angle` about L that is apart from the substeps.
+void set_turn_about_L(FreeTopStep& step, double angle, double length);
+
+/// One of the step's substeps: returns the turn.
+Quaternion take_substep(FreeTopStep& step);
+
+}  // namespace polhode::free_top

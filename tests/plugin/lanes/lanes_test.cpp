@@ -1,0 +1,147 @@
+// Lanes do in each lane what double does, to the last bit, whatever they are made of.
+#include "lanes/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "support/same_bits.h"
+
+namespace polhode {
+namespace {
+
+using testing::same_bits;
+
+// Zeros, subnormals, the ends of the range, infinities, NaN, and numbers of all sizes.
+std::vector<double> samples() {
+  using Limits = std::numeric_limits<double>;
+  std::vector<double> result = {
+      0.0,  0.5,  1.0,           3.0,         Limits::denorm_min(), Limits::min(),
+      1e-9, 1e99, Limits::max(), 1.0 + 1e-15, Limits::infinity(),   Limits::quiet_NaN()};
+  std::mt19937 generator(11);
+  std::uniform_real_distribution<double> fraction(1.0, 2.0);
+  std::uniform_int_distribution<int> exponent(-300, 300);
+  while (result.size() < 40) result.push_back(std::ldexp(fraction(generator), exponent(generator)));
+  for (std::size_t i = result.size(); i > 0; --i) result.push_back(-result[i - 1]);
+  return result;
+}
+
+template <class Registers>
+class LanesOf : public ::testing::Test {
+ protected:
+  using Some = BasicLanes<Registers>;
+
+  // Another sample in each lane, each pair of samples in some lane of some pair of Lanes.
+  static Some some_from(std::size_t first, std::size_t stride) {
+    static const std::vector<double> values = samples();
+    Some result;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      result.set(lane, values[(first + stride * lane) % values.size()]);
+    }
+    return result;
+  }
+
+  template <class Check>
+  static void for_pairs(Check check) {
+    const std::size_t count = samples().size();
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j) check(some_from(i, 1), some_from(j, 3));
+    }
+  }
+
+  // `of_lanes(a, b)[lane]` against `of_doubles(a[lane], b[lane])`.
+  template <class OfLanes, class OfDoubles>
+  static void expect_same(OfLanes of_lanes, OfDoubles of_doubles) {
+    for_pairs([&](const Some& a, const Some& b) {
+      const auto result = of_lanes(a, b);
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        ASSERT_TRUE(same_bits(result[lane], of_doubles(a[lane], b[lane]))) << a[lane] << " " << b[lane];
+      }
+    });
+  }
+
+  // One formula for both.
+  template <class Formula>
+  static void expect_same(Formula formula) {
+    expect_same(formula, formula);
+  }
+};
+
+#if defined(__GNUC__)
+using Kinds = ::testing::Types<PlainRegisters, VectorRegisters>;
+#else
+using Kinds = ::testing::Types<PlainRegisters>;
+#endif
+
+struct KindName {
+  template <class Registers>
+  static std::string GetName(int /*index*/) {
+    return std::is_same_v<Registers, PlainRegisters> ? "Plain" : "Vector";
+  }
+};
+TYPED_TEST_SUITE(LanesOf, Kinds, KindName);
+
+TYPED_TEST(LanesOf, ComputeAsDoubles) {
+  this->expect_same([](const auto& a, const auto& b) { return a + b; });
+  this->expect_same([](const auto& a, const auto& b) { return a - b; });
+  this->expect_same([](const auto& a, const auto& b) { return a * b; });
+  this->expect_same([](const auto& a, const auto& b) { return a / b; });
+  this->expect_same([](const auto& a, const auto&) { return -a; });
+  this->expect_same([](const auto& a, const auto& b) { return 2.0 * a - b / 3.0 + 1.0; });
+  this->expect_same([](auto a, const auto& b) { return a += b; });
+  this->expect_same([](auto a, const auto& b) { return a -= b; });
+  this->expect_same([](auto a, const auto& b) { return a *= b; });
+  this->expect_same([](auto a, const auto& b) { return a /= b; });
+}
+
+TYPED_TEST(LanesOf, HaveTheFunctionsOfDoubles) {
+  using std::abs, std::cos, std::max, std::min, std::sin, std::sqrt;
+  this->expect_same([](const auto& a, const auto&) { return sqrt(a); });
+  this->expect_same([](const auto& a, const auto&) { return abs(a); });
+  this->expect_same([](const auto& a, const auto&) { return sin(a); });
+  this->expect_same([](const auto& a, const auto&) { return cos(a); });
+  this->expect_same([](const auto& a, const auto& b) { return std::decay_t<decltype(a)>(min(a, b)); });
+  this->expect_same([](const auto& a, const auto& b) { return std::decay_t<decltype(a)>(max(a, b)); });
+}
+
+TYPED_TEST(LanesOf, CompareAsDoubles) {
+  this->expect_same([](const auto& a, const auto& b) { return a < b; });
+  this->expect_same([](const auto& a, const auto& b) { return a <= b; });
+  this->expect_same([](const auto& a, const auto& b) { return a > b; });
+  this->expect_same([](const auto& a, const auto& b) { return a >= b; });
+  this->expect_same([](const auto& a, const auto& b) { return a == b; });
+  this->expect_same([](const auto& a, const auto& b) { return a != b; });
+  this->expect_same([](const auto& a, const auto& b) { return (b > 1.0) & !(a < b); });
+  this->expect_same([](const auto& a, const auto& b) { return (a < b) | (b > 1.0); });
+}
+
+TYPED_TEST(LanesOf, AreSelectedLaneByLane) {
+  this->expect_same([](const auto& a, const auto& b) { return select(a < b, a, b * 2.0); });
+}
+
+TYPED_TEST(LanesOf, KnowWhetherAMaskHoldsInAnyOrAll) {
+  this->for_pairs([](const auto& a, const auto& b) {
+    std::size_t less = 0;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) less += a[lane] < b[lane] ? 1 : 0;
+    ASSERT_EQ(any(a < b), less > 0);
+    ASSERT_EQ(all(a < b), less == kLanes);
+  });
+}
+
+// Eigen sums doubles in another order: here a number is eight plain lanes of it.
+TYPED_TEST(LanesOf, AreAScalarOfEigens) {
+  const auto formula = [](const auto& a, const auto& b) {
+    using Real = std::decay_t<decltype(a)>;
+    const Eigen::Matrix<Real, 3, 1> u(a, b, Real(1.0)), v(b, Real(-2.0), a);
+    const Eigen::Quaternion<Real, Eigen::DontAlign> q(a, b, Real(0.5), Real(2.0));
+    const Eigen::Matrix<Real, 3, 1> w = 2.0 * u.cross(v) + q.toRotationMatrix().transpose() * (q * v) / 3.0;
+    return Real(w.dot(u) + select(a < b, u, v).squaredNorm());
+  };
+  using Plain = BasicLanes<PlainRegisters>;
+  this->expect_same(formula, [formula](double a, double b) { return formula(Plain(a), Plain(b))[0]; });
+}
+
+}  // namespace
+}  // namespace polhode

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "polhode/rotation_state.h"
+
+namespace polhode::testing {
+
+/// Whether two doubles are the same to the last bit, +0 and -0 told apart; one NaN is as good as another.
+inline bool same_bits(double a, double b) {
+  if (a != a) return b != b;
+  std::uint64_t bits_of_a = 0;
+  std::uint64_t bits_of_b = 0;
+  std::memcpy(&bits_of_a, &a, sizeof a);
+  std::memcpy(&bits_of_b, &b, sizeof b);
+  return bits_of_a == bits_of_b;
+}
+
+template <class A, class B>
+bool same_bits(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    if (!same_bits(a.derived().coeff(i), b.derived().coeff(i))) return false;
+  }
+  return true;
+}
+
+inline bool same_bits(const RotationState& a, const RotationState& b) {
+  return same_bits(a.q_WB.coeffs(), b.q_WB.coeffs()) && same_bits(a.R_WB.reshaped(), b.R_WB.reshaped()) &&
+         same_bits(a.omega_W, b.omega_W) && same_bits(a.L_W, b.L_W);
+}
+
+}  // namespace polhode::testing
