@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+namespace polhode::benchmarks {
+
+/// Of this process: what goes through operator new, and Bullet's memory once count_heap_of_bullet was called.
+/// What calls malloc by itself is not in it.
+struct HeapCount {
+  std::int64_t live_bytes = 0;   ///< as they were asked for
+  std::int64_t allocations = 0;  ///< since the start
+};
+
+HeapCount heap_count();
+
+/// From now on Bullet's memory is counted too. To be called before Bullet takes any.
+void count_heap_of_bullet();
+
+}  // namespace polhode::benchmarks

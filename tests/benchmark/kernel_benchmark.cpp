@@ -1,0 +1,147 @@
+#include "benchmark/kernel_benchmark.h"
+
+#include <btBulletDynamicsCommon.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "benchmark/paired_times.h"
+#include "benchmark/scene_start.h"
+#include "polhode/rotation_math.h"
+#include "world/conversions.h"
+
+namespace polhode::benchmarks {
+
+namespace {
+
+constexpr std::size_t kBodies = 1024;
+constexpr int kPassesPerRound = 4;
+constexpr double kKick = 1e-3;  // rad/s
+
+btVector3 inertia_of(const SceneStart& start, const BoxStart& box) {
+  btVector3 inertia_B;
+  btBoxShape(start.half_extents[box.shape]).calculateLocalInertia(box.mass_kg, inertia_B);
+  return inertia_B;
+}
+
+/// Bodies that are all stepped once in a pass.
+class Kernel {
+ public:
+  Kernel() = default;
+  Kernel(const Kernel&) = delete;
+  Kernel& operator=(const Kernel&) = delete;
+  virtual ~Kernel() = default;
+
+  virtual void restart() = 0;
+  /// `change` is what others did to omega_W, on each axis.
+  virtual void pass(double change) = 0;
+};
+
+/// No more than what a scheme stands in for: Bullet's step goes on to set up the inertia tensor and the poses
+/// that it interpolates by, with the library as without.
+class BulletKernel final : public Kernel {
+ public:
+  explicit BulletKernel(const SceneStart& start) : start_(start) {
+    for (const BoxStart& box : start.boxes) {
+      bodies_.push_back(std::make_unique<btRigidBody>(box.mass_kg, nullptr, nullptr, inertia_of(start, box)));
+    }
+  }
+
+  void restart() override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bodies_[i]->setCenterOfMassTransform(start_.boxes[i].pose);
+      bodies_[i]->setAngularVelocity(start_.boxes[i].omega_W);
+    }
+  }
+
+  void pass(double change) override {
+    const auto kick = static_cast<btScalar>(change);
+    const btVector3 kick_W(kick, kick, kick);
+    for (const auto& body : bodies_) {
+      const btVector3 change_W = kick_W + body->computeGyroscopicImpulseImplicit_Body(kTimeStep);
+      body->setAngularVelocity(body->getAngularVelocity() + change_W);
+      btTransform turned;
+      body->predictIntegratedTransform(kTimeStep, turned);
+      body->setWorldTransform(turned);
+    }
+  }
+
+ private:
+  const SceneStart& start_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+class SchemeKernel final : public Kernel {
+ public:
+  SchemeKernel(SchemePointer scheme, const SceneStart& start) : scheme_(std::move(scheme)) {
+    for (const BoxStart& box : start.boxes) {
+      const Vector3 inertia_B = demos::from_bullet(inertia_of(start, box));
+      RotationState state;
+      set_orientation(state, Quaternion(demos::from_bullet(box.pose.getBasis())).normalized());
+      set_omega(state, inertia_B, demos::from_bullet(box.omega_W));
+      start_.push_back(state);
+      inputs_.push_back({inertia_B, Vector3::Zero(), double(kTimeStep), double(kTimeStep)});
+    }
+    states_ = start_;
+    memories_.resize(start_.size());
+    for (std::size_t i = 0; i < start_.size(); ++i) {
+      steps_.push_back({&inputs_[i], &states_[i], &memories_[i]});
+    }
+  }
+
+  void restart() override { states_ = start_; }
+
+  void pass(double change) override {
+    if (change != inputs_.front().delta_omega_W.x()) {
+      for (StepInput& input : inputs_) input.delta_omega_W.setConstant(change);
+    }
+    scheme_->step_bodies(steps_.data(), steps_.size());
+  }
+
+ private:
+  SchemePointer scheme_;
+  std::vector<StepInput> inputs_;
+  std::vector<RotationState> start_;
+  std::vector<RotationState> states_;
+  std::vector<SchemeMemory> memories_;
+  std::vector<BodyStep> steps_;
+};
+
+/// In ns per body and step. Every round begins afresh, since some schemes blow up; its first pass warms
+/// caches and memories and is not timed.
+double run_round(Kernel& kernel, double change) {
+  kernel.restart();
+  kernel.pass(-change);
+  const auto before = std::chrono::steady_clock::now();
+  for (int pass = 0; pass < kPassesPerRound; ++pass) kernel.pass(pass % 2 == 0 ? change : -change);
+  const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - before;
+  return taken.count() / (kPassesPerRound * static_cast<double>(kBodies));
+}
+
+std::unique_ptr<Kernel> make_kernel(const SchemePointer& scheme, const SceneStart& start) {
+  if (scheme == nullptr) return std::make_unique<BulletKernel>(start);
+  return std::make_unique<SchemeKernel>(scheme, start);
+}
+
+}  // namespace
+
+void run_kernel_benchmark(benchmark::State& state, const SchemePointer& scheme, KernelMotion motion) {
+  const SceneStart start = free_flight(kBodies);
+  const double change = motion == KernelMotion::set_up ? kKick : 0.0;
+  BulletKernel bullet(start);
+  const std::unique_ptr<Kernel> subject = make_kernel(scheme, start);
+  PairedTimes times;
+  bool bullet_first = true;
+  while (state.KeepRunning()) {
+    const double first_ns = run_round(bullet_first ? bullet : *subject, change);
+    const double second_ns = run_round(bullet_first ? *subject : bullet, change);
+    const double subject_ns = bullet_first ? second_ns : first_ns;
+    times.add_round(bullet_first ? first_ns : second_ns, subject_ns);
+    state.SetIterationTime(subject_ns * 1e-9);
+    bullet_first = !bullet_first;
+  }
+  times.report(state);
+}
+
+}  // namespace polhode::benchmarks

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "benchmark/scene_start.h"
+#include "polhode/bullet/rotation_plugin.h"
+
+namespace polhode::benchmarks {
+
+enum class RotatedBy {
+  bullet,           ///< a plain world, every flag as Bullet sets it
+  rotation_world,   ///< polhode::RotationWorld
+  rotation_plugin,  ///< a plain world with polhode::RotationPlugin attached
+};
+
+/// A scene in a world of its own, as an application would make it: every body has a motion state, and none
+/// sleeps, so that every step is of every body.
+class SceneWorld {
+ public:
+  /// `scheme` is null for a plain world.
+  SceneWorld(const SceneStart& start, RotatedBy rotated_by, const SchemePointer& scheme);
+  ~SceneWorld();
+  SceneWorld(const SceneWorld&) = delete;
+  SceneWorld& operator=(const SceneWorld&) = delete;
+
+  void step() { world_->stepSimulation(kTimeStep, 0); }
+
+  /// A small torque impulse on every body, to and fro from call to call.
+  void kick();
+
+  btRigidBody& body(std::size_t index) { return *bodies_[index]; }
+  std::size_t bodies() const { return bodies_.size(); }
+  /// 0 in a plain world.
+  std::uint64_t incidents() const { return rotation_ == nullptr ? 0 : rotation_->incidents(); }
+
+ private:
+  void make_world(RotatedBy rotated_by, const SchemePointer& scheme);
+  void add_floor();
+  void add_box(const BoxStart& start);
+
+  btDefaultCollisionConfiguration configuration_;
+  btCollisionDispatcher dispatcher_{&configuration_};
+  btDbvtBroadphase broadphase_;
+  btSequentialImpulseConstraintSolver solver_;
+  std::unique_ptr<btDiscreteDynamicsWorld> world_;
+  RotationControl* rotation_ = nullptr;
+  std::vector<std::unique_ptr<btBoxShape>> shapes_;
+  std::vector<std::unique_ptr<btDefaultMotionState>> motion_states_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::unique_ptr<btBoxShape> floor_shape_;
+  std::unique_ptr<btRigidBody> floor_;
+  std::unique_ptr<RotationPlugin> plugin_;
+  btScalar kick_sign_ = 1;
+};
+
+}  // namespace polhode::benchmarks

@@ -1,0 +1,50 @@
+# Runs the benchmark on 100 bodies: it says nothing of speed, only that the program counts what it should and that its
+# JSON can be read. Needs -Dprogram=<executable>.
+cmake_minimum_required(VERSION 3.20)
+
+set(filter "^((world|plugin)/exact/.*/100|control/.*/100|kernel/exact/(free|set_up))/iterations")
+execute_process(COMMAND ${program} --benchmark_filter=${filter} --benchmark_format=json
+  OUTPUT_VARIABLE output ERROR_VARIABLE errors RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "exit code ${result}: ${errors}")
+endif()
+
+function(expect_counter benchmark counter at_least at_most)
+  string(JSON name GET "${benchmark}" name)
+  string(JSON value GET "${benchmark}" ${counter})
+  if(NOT value GREATER_EQUAL at_least OR NOT value LESS_EQUAL at_most)
+    message(SEND_ERROR "${name}: ${counter} is ${value}, not between ${at_least} and ${at_most}")
+  endif()
+endfunction()
+
+string(JSON count LENGTH "${output}" benchmarks)
+if(NOT count EQUAL 7)
+  message(FATAL_ERROR "7 benchmarks were asked for, ${count} were run")
+endif()
+math(EXPR last "${count} - 1")
+foreach(index RANGE ${last})
+  string(JSON benchmark GET "${output}" benchmarks ${index})
+  string(JSON name GET "${benchmark}" name)
+  expect_counter("${benchmark}" ratio 0.001 1000)
+  if(name MATCHES "^kernel")
+    continue()
+  endif()
+  expect_counter("${benchmark}" diverged 0 0)
+  if(name MATCHES "pile")
+    continue()
+  endif()
+  # A btRigidBody alone has more than 500 bytes, and comes from Bullet's own allocator.
+  expect_counter("${benchmark}" plain_bytes_per_body 500 1000000)
+  expect_counter("${benchmark}" allocations_per_step 0 0)
+  if(name MATCHES "^control")
+    expect_counter("${benchmark}" bytes_per_body 0 0)
+  else()
+    # The state of a body alone has 19 doubles, and comes from operator new.
+    expect_counter("${benchmark}" bytes_per_body 152 1000000)
+  endif()
+endforeach()
+
+execute_process(COMMAND ${program} --no_such_option OUTPUT_QUIET ERROR_VARIABLE errors RESULT_VARIABLE result)
+if(NOT result EQUAL 2 OR NOT errors MATCHES "no_such_option")
+  message(SEND_ERROR "an unknown option: exit code ${result}, ${errors}")
+endif()
