@@ -161,8 +161,10 @@ Motion ManagedBody::known() const {
 
 void ManagedBody::know(const Motion& motion) {
   know_place(motion.pose.getOrigin(), motion.linear_velocity);
-  forget_found();
-  if (same(motion.pose.getBasis(), known_basis()) && same(motion.omega_W, known_omega_W())) return;
+  if (same(motion.pose.getBasis(), basis_of(q_WB_)) && same(motion.omega_W, to_bullet(omega_W_))) {
+    forget_found();
+    return;
+  }
   rare().has_found = true;
   rare_->found_basis = motion.pose.getBasis();
   rare_->found_omega_W = motion.omega_W;

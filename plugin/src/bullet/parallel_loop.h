@@ -9,10 +9,17 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
+/// Whether the application has given Bullet a task scheduler, as a btDiscreteDynamicsWorldMt needs one, and
+/// this is not one of its tasks: they do not nest.
+inline bool bullet_has_threads() {
+  const btITaskScheduler* scheduler = btGetTaskScheduler();
+  return scheduler != nullptr && scheduler->getNumThreads() > 1 && !btThreadsAreRunning();
+}
+
 /// `function(first, last)` for parts of [0, count) that together are all of it: on the threads of Bullet's
-/// task scheduler, if `on_threads` and there is one, else here in one part.
+/// task scheduler if it has any, else here in one part.
 template <class Function>
-void for_parts(std::size_t count, bool on_threads, const Function& function) {
+void for_parts(std::size_t count, const Function& function) {
   struct Body final : btIParallelForBody {
     explicit Body(const Function& called) : function(called) {}
     void forLoop(int first, int last) const override {
@@ -22,7 +29,7 @@ void for_parts(std::size_t count, bool on_threads, const Function& function) {
   };
   // Long enough that handing it to a thread does not show, short enough that the threads end together.
   constexpr int kBodiesInPart = 256;
-  if (on_threads && count > kBodiesInPart && btGetTaskScheduler() != nullptr) {
+  if (count > kBodiesInPart && bullet_has_threads()) {
     btParallelFor(0, static_cast<int>(count), kBodiesInPart, Body(function));
   } else if (count > 0) {
     function(0, count);

@@ -1,7 +1,5 @@
 #include "bullet/world_bodies.h"
 
-#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorldMt.h>
-
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -53,9 +51,7 @@ void prefetch_motion_state(const btRigidBody& body) {
 
 }  // namespace
 
-WorldBodies::WorldBodies(btDynamicsWorld& world)
-    : world_(&require_discrete(world)),
-      on_threads_(dynamic_cast<btDiscreteDynamicsWorldMt*>(&world) != nullptr) {
+WorldBodies::WorldBodies(btDynamicsWorld& world) : world_(&require_discrete(world)) {
   require_matching_bullet();
   turns_in_lanes();  // found out here, where no other thread is at work
   take_on_world();
@@ -123,7 +119,7 @@ template <class Function, class Finish>
 void WorldBodies::walk(const Function& function, const Finish& finish, std::size_t bytes_of_entry) {
   if (world_ == nullptr) return;
   align_table();
-  for_parts(table_.size_of(bodies()), on_threads_, [&](std::size_t first, std::size_t last) {
+  for_parts(table_.size_of(bodies()), [&](std::size_t first, std::size_t last) {
     StepGroups& groups = groups_of_this_thread();
     for (std::size_t i = first; i < last; ++i) {
       if (i + kPrefetchedAhead < last) {
@@ -139,7 +135,7 @@ void WorldBodies::walk(const Function& function, const Finish& finish, std::size
 
 // A world of ours says when a body comes or goes; in another's it has to be looked for.
 void WorldBodies::align_table() {
-  if (world_tells_ && !bodies_changed_) return;
+  if (world_tells_ && !bodies_changed_ && table_.size() == BodyTable::size_of(bodies())) return;
   table_.align(bodies());
   bodies_changed_ = false;
 }

@@ -16,8 +16,8 @@ namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 /// The bodies of a world and what is done with them in a step: the engine behind RotationControl. The loops
-/// over bodies run on the threads of Bullet's task scheduler, in a world that uses it; each body comes out
-/// the same on any number of threads.
+/// over bodies run on the threads of Bullet's task scheduler, if the application has given it one; each body
+/// comes out the same on any number of threads.
 class WorldBodies {
  public:
   /// @throws std::invalid_argument, std::runtime_error as RotationControl's constructor.
@@ -82,7 +82,6 @@ class WorldBodies {
   bool report();
 
   btDiscreteDynamicsWorld* world_;
-  bool on_threads_;
   WorldClaim claim_;
   SchemePointer default_scheme_ = polhode::default_scheme();
   BodyTable table_;
