@@ -61,11 +61,11 @@ inline bool same(const btVector3& a, const btVector3& b) {
 }
 
 inline bool same(const btMatrix3x3& a, const btMatrix3x3& b) {
-  bool result = true;  // without a branch for each
+  int differences = 0;  // counted without a branch for each
   for (int row = 0; row < 3; ++row) {
-    result &= (a[row].x() == b[row].x()) & (a[row].y() == b[row].y()) & (a[row].z() == b[row].z());
+    for (int column = 0; column < 3; ++column) differences += a[row][column] == b[row][column] ? 0 : 1;
   }
-  return result;
+  return differences == 0;
 }
 
 }  // namespace POLHODE_PRECISION

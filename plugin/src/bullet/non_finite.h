@@ -29,21 +29,26 @@ bool are_finite(const Values&... values) {
   return sum.x() + sum.y() + sum.z() == btScalar(0.0);
 }
 
+/// The sum of the four numbers of each vector: finite only if they all are.
+template <class... Vectors>
+btScalar sum_with_padding(const Vectors&... vectors) {
+  return (Eigen::Map<const Eigen::Array<btScalar, 4, 1>>(vectors.m_floats) + ...).sum();
+}
+
 /// Whether position, velocities, force and torque are finite, by a look that may say no of huge numbers, or
 /// of rubbish in the fourth number that Bullet pads vectors with.
 inline bool are_surely_finite_but_for_basis(const btRigidBody& body) {
-  const auto padded = [](const btVector3& v) {
-    return Eigen::Map<const Eigen::Array<btScalar, 4, 1>>(v.m_floats);
-  };
   const btScalar sum =
-      (padded(body.getWorldTransform().getOrigin()) + padded(body.getLinearVelocity()) +
-       padded(body.getAngularVelocity()) + padded(body.getTotalForce()) + padded(body.getTotalTorque()))
-          .sum();
+      sum_with_padding(body.getWorldTransform().getOrigin(), body.getLinearVelocity(),
+                       body.getAngularVelocity(), body.getTotalForce(), body.getTotalTorque());
   return sum * btScalar(0.0) == btScalar(0.0);
 }
 
 /// Whether pose, velocities, force and torque of the body are all finite.
 inline bool is_finite(const btRigidBody& body) {
+  const btMatrix3x3& basis = body.getWorldTransform().getBasis();
+  const btScalar basis_sum = sum_with_padding(basis[0], basis[1], basis[2]);
+  if (are_surely_finite_but_for_basis(body) && basis_sum * btScalar(0.0) == btScalar(0.0)) return true;
   return are_finite(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(),
                     body.getTotalForce(), body.getTotalTorque());
 }

@@ -210,7 +210,7 @@ class Trials {
   }
 
   btVector3 omega_W() {
-    static constexpr std::array<double, 7> kSpeeds = {0.0, 1e-9, 1e-4, 2e-3, 1.0, 30.0, 1e3};  // rad/s
+    constexpr std::array<double, 7> kSpeeds = {0.0, 1e-9, 1e-4, 2e-3, 1.0, 30.0, 1e3};  // rad/s
     return any_vector() * static_cast<btScalar>(kSpeeds[number_ % kSpeeds.size()]);
   }
 

@@ -48,11 +48,12 @@ class Groups {
   void add(const BodyStep& body) {
     const StepInput& input = *body.input;
     auto& step = body.memory->get<FreeTopStep>();
-    if (!input.torque_W.isZero(0.0)) {
-      step_alone(body, step);
-    } else if (!input.delta_omega_W.isZero(0.0) || !is_made_for(step, input.inertia_B, input.turn_dt)) {
+    const bool has_torque = !input.torque_W.isZero(0.0);
+    const bool is_changed =
+        !input.delta_omega_W.isZero(0.0) || !is_made_for(step, input.inertia_B, input.turn_dt);
+    if (is_changed && !has_torque) {
       add_to_changed(body, step);
-    } else if (!step.is_short()) {
+    } else if (has_torque || !step.is_short()) {
       step_alone(body, step);
     } else {
       free_.add(body, step);

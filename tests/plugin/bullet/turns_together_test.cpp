@@ -102,7 +102,7 @@ class Bodies {
   // The first of them, into where Bullet interpolates from.
   void turn_together(std::size_t count, btScalar dt) {
     std::vector<BasisTurn> turns;
-    for (const auto& body : bodies_) body->getInterpolationWorldTransform() = kUntouched;
+    for (const auto& body : bodies_) body->getInterpolationWorldTransform() = untouched_;
     for (std::size_t i = 0; i < count; ++i) {
       btRigidBody& body = *bodies_[i];
       turns.push_back({&body.getWorldTransform().getBasis(), &body.getAngularVelocity(),
@@ -129,7 +129,7 @@ class Bodies {
     return same_bits(bodies_[i]->getInterpolationWorldTransform().getBasis(), expected_[i]);
   }
   bool is_untouched(std::size_t i) const {
-    return same_bits(bodies_[i]->getInterpolationWorldTransform().getBasis(), kUntouched.getBasis());
+    return same_bits(bodies_[i]->getInterpolationWorldTransform().getBasis(), untouched_.getBasis());
   }
   bool turned_in_place_as_by_bullet(std::size_t i) const { return same_bits(start(i), expected_[i]); }
   bool kept_its_basis(std::size_t i) const { return same_bits(start(i), expected_[i]); }
@@ -139,7 +139,7 @@ class Bodies {
     return std::memcmp(&a, &b, sizeof a) == 0;
   }
 
-  const btTransform kUntouched = btTransform(btQuaternion(1, 2, 3, 4));
+  const btTransform untouched_ = btTransform(btQuaternion(1, 2, 3, 4));
 
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<Basis> kinds_;
