@@ -43,12 +43,12 @@ std::size_t BodyTable::find_or_append(btRigidBody& body) {
 
 void BodyTable::forget_others(const Bodies& bodies) {
   shrink_to(static_cast<std::size_t>(bodies.size()));
-  by_address_ = {};
+  by_address_ = AddressTable();
 }
 
 void BodyTable::clear() {
   shrink_to(0);
-  by_address_ = {};
+  by_address_ = AddressTable();
   places_.clear();
 }
 
@@ -106,7 +106,7 @@ void BodyTable::remember_place(const btRigidBody& body, std::size_t index) const
   const auto place = static_cast<std::size_t>(body.getWorldArrayIndex());
   if (place >= places_.size()) {
     // Less in advance than the vector would take.
-    if (place >= places_.capacity()) places_.reserve(place + place / 16 + 1);
+    if (place >= places_.capacity()) places_.reserve(place + place / 64 + 1);
     places_.resize(place + 1, kNowhere);
   }
   places_[place] = static_cast<std::uint32_t>(index);

@@ -36,7 +36,7 @@ class BodyTable {
 
  private:
   // Blocks, not one array: it grows without copying and without room for as many again.
-  static constexpr std::size_t kBlock = 64;
+  static constexpr std::size_t kBlock = 32;
   static constexpr std::uint32_t kNowhere = UINT32_MAX;
 
   std::size_t index_of(const btRigidBody& body) const;
@@ -52,7 +52,8 @@ class BodyTable {
   // By btCollisionObject::getWorldArrayIndex, which changes without notice: a hint.
   mutable std::vector<std::uint32_t> places_;
   // For bodies without a right hint; made when one is looked up, kept until the end of the next step.
-  mutable std::unordered_map<const btRigidBody*, std::size_t> by_address_;
+  using AddressTable = std::unordered_map<const btRigidBody*, std::size_t>;
+  mutable AddressTable by_address_;
 };
 
 }  // namespace POLHODE_PRECISION

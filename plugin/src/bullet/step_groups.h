@@ -26,7 +26,7 @@ class StepGroups {
 
  private:
   // As many as leave the processor's nearest cache room for what is computed with them.
-  static constexpr std::size_t kGroups = 3;
+  static constexpr std::size_t kGroups = 2;
   static constexpr std::size_t kBodies = 16;
   static constexpr std::size_t kPredictions = 32;
 

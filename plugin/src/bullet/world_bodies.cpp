@@ -42,7 +42,7 @@ void prefetch(const void* start, std::size_t bytes) {
 #endif
 }
 
-constexpr int kPrefetchedAhead = 6;
+constexpr int kPrefetchedAhead = 4;
 
 void prefetch_motion_state(const btRigidBody& body) {
   // One of the application's may be of any size; the pose of Bullet's is at its start.
