@@ -199,8 +199,8 @@ class ManagedBody {
   SchemeMemory memory_;  // of the scheme; the matrix of a body that swells
 };
 
-// Half a world's memory traffic in a step is this; the other half is Bullet's.
-static_assert(sizeof(ManagedBody) <= 376 || sizeof(SchemeMemory) > 184, "a body's bytes are counted");
+// Each walk over the bodies of a world goes through this much memory.
+static_assert(sizeof(ManagedBody) <= 376, "what few bodies have belongs into RarePart");
 
 }  // namespace POLHODE_PRECISION
 }  // namespace polhode
