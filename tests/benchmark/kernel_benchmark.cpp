@@ -8,6 +8,7 @@
 
 #include "benchmark/paired_times.h"
 #include "benchmark/scene_start.h"
+#include "lanes/lane_scheme.h"
 #include "polhode/rotation_math.h"
 #include "world/conversions.h"
 
@@ -72,15 +73,19 @@ class BulletKernel final : public Kernel {
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
+RotationState state_of(const BoxStart& box, const Vector3& inertia_B) {
+  RotationState state;
+  set_orientation(state, Quaternion(demos::from_bullet(box.pose.getBasis())).normalized());
+  set_omega(state, inertia_B, demos::from_bullet(box.omega_W));
+  return state;
+}
+
 class SchemeKernel final : public Kernel {
  public:
   SchemeKernel(SchemePointer scheme, const SceneStart& start) : scheme_(std::move(scheme)) {
     for (const BoxStart& box : start.boxes) {
       const Vector3 inertia_B = demos::from_bullet(inertia_of(start, box));
-      RotationState state;
-      set_orientation(state, Quaternion(demos::from_bullet(box.pose.getBasis())).normalized());
-      set_omega(state, inertia_B, demos::from_bullet(box.omega_W));
-      start_.push_back(state);
+      start_.push_back(state_of(box, inertia_B));
       inputs_.push_back({inertia_B, Vector3::Zero(), double(kTimeStep), double(kTimeStep)});
     }
     states_ = start_;
@@ -108,6 +113,50 @@ class SchemeKernel final : public Kernel {
   std::vector<BodyStep> steps_;
 };
 
+/// As a RotationWorld hands bodies to a scheme of the library: eight of them in lanes.
+class LaneKernel final : public Kernel {
+ public:
+  LaneKernel(const LaneScheme& scheme, const SceneStart& start)
+      : scheme_(scheme), blocks_(start.boxes.size() / kLanes), start_(blocks_.size()) {
+    memories_.resize(start.boxes.size());
+    for (std::size_t i = 0; i < blocks_.size() * kLanes; ++i) {
+      const std::size_t lane = i % kLanes;
+      const Vector3 inertia_B = demos::from_bullet(inertia_of(start, start.boxes[i]));
+      Block& block = blocks_[i / kLanes];
+      set_lane(lane, inertia_B, block.input.inertia_B);
+      set_lane(lane, state_of(start.boxes[i], inertia_B), start_[i / kLanes]);
+      block.memories.of[lane] = &memories_[i];
+    }
+    for (Block& block : blocks_) {
+      block.input.dt = block.input.turn_dt = double(kTimeStep);
+      block.memories.count = kLanes;
+    }
+  }
+
+  void restart() override {
+    for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].state = start_[i];
+  }
+
+  void pass(double change) override {
+    for (Block& block : blocks_) {
+      block.input.delta_omega_W.setConstant(Lanes(change));
+      scheme_.step_lanes(block.input, block.state, block.memories);
+    }
+  }
+
+ private:
+  struct Block {
+    LaneInput input;
+    LaneState state;
+    LaneMemories memories;
+  };
+
+  const LaneScheme& scheme_;
+  std::vector<Block> blocks_;
+  std::vector<LaneState> start_;
+  std::vector<SchemeMemory> memories_;
+};
+
 /// In ns per body and step. Every round begins afresh, since some schemes blow up; its first pass warms
 /// caches and memories and is not timed.
 double run_round(Kernel& kernel, double change) {
@@ -121,6 +170,9 @@ double run_round(Kernel& kernel, double change) {
 
 std::unique_ptr<Kernel> make_kernel(const SchemePointer& scheme, const SceneStart& start) {
   if (scheme == nullptr) return std::make_unique<BulletKernel>(start);
+  if (const auto* in_lanes = dynamic_cast<const LaneScheme*>(scheme.get())) {
+    return std::make_unique<LaneKernel>(*in_lanes, start);
+  }
   return std::make_unique<SchemeKernel>(scheme, start);
 }
 

@@ -26,5 +26,13 @@ btVector3 BulletReplay::damped(const btVector3& omega_W, btScalar angular_dampin
   return omega_W * damping_factor_;
 }
 
+btMatrix3x3 BulletReplay::inverse_inertia_tensor_W(const btMatrix3x3& basis,
+                                                   const btVector3& inverse_inertia_B) {
+  body_.setWorldTransform(btTransform(basis));
+  body_.setInvInertiaDiagLocal(inverse_inertia_B);
+  body_.updateInertiaTensor();
+  return body_.getInvInertiaTensorWorld();
+}
+
 }  // namespace POLHODE_PRECISION
 }  // namespace polhode

@@ -21,6 +21,9 @@ class BulletReplay {
   /// change.
   btVector3 damped(const btVector3& omega_W, btScalar angular_damping, btScalar dt);
 
+  /// The world's inverse inertia tensor of a body with that basis.
+  btMatrix3x3 inverse_inertia_tensor_W(const btMatrix3x3& basis, const btVector3& inverse_inertia_B);
+
  private:
   btRigidBody body_;
   // Bullet takes a power for the factor; most bodies of a world have the same.

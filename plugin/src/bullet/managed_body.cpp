@@ -9,14 +9,6 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-namespace {
-
-constexpr int kGyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
-                                 BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
-                                 BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
-
-}  // namespace
-
 ManagedBody::ManagedBody(btRigidBody& body)
     : body_(&body),
       identity_(body_identity(body)),
@@ -27,7 +19,9 @@ ManagedBody::ManagedBody(btRigidBody& body)
       keeps_rotation_(true),
       start_is_known_(false),
       diverged_(false),
-      leaves_out_bullet_(false) {}
+      leaves_out_bullet_(false),
+      has_additional_damping_(has_additional_damping(body)),
+      turns_freely_(false) {}
 
 bool ManagedBody::is_about(const btRigidBody& body) const {
   return body_ == &body && identity_ == body_identity(body);
@@ -57,7 +51,7 @@ void ManagedBody::take_on(const RotationScheme& scheme) {
   set_orientation(start, to_quaternion(motion.pose.getBasis()));
   set_omega(start, inertia_B(*body_), to_double(motion.omega_W));
   set_state(start);
-  known_inverse_inertia_B_ = packed(body_->getInvInertiaDiagLocal());
+  numbers_.inverse_inertia_B = packed(body_->getInvInertiaDiagLocal());
   know(motion);
 }
 
@@ -70,12 +64,12 @@ void ManagedBody::give_back() {
 void ManagedBody::forget_scheme() {
   flags_of_application_ = 0;
   leaves_out_bullet_ = false;
+  turns_freely_ = false;
   scheme_ = nullptr;
 }
 
-void ManagedBody::clear_flags() {
+void ManagedBody::take_flags() {
   const int flags = body_->getFlags();
-  if ((flags & kGyroscopicFlags) == 0) return;
   flags_of_application_ = static_cast<std::uint16_t>(flags & kGyroscopicFlags);
   body_->setFlags(flags & ~kGyroscopicFlags);
 }
@@ -86,17 +80,17 @@ ManagedBody::RarePart& ManagedBody::rare() {
 }
 
 void ManagedBody::read_state(RotationState& state) const {
-  state.q_WB = q_WB_;
-  state.R_WB = keeps_rotation_ ? q_WB_.toRotationMatrix() : swollen_R_WB();
-  state.omega_W = omega_W_;
-  state.L_W = L_W_;
+  state.q_WB = numbers_.q_WB;
+  state.R_WB = keeps_rotation_ ? numbers_.q_WB.toRotationMatrix() : swollen_R_WB();
+  state.omega_W = numbers_.omega_W;
+  state.L_W = numbers_.L_W;
 }
 
 void ManagedBody::set_state(const RotationState& state) {
-  q_WB_ = state.q_WB;
-  omega_W_ = state.omega_W;
-  L_W_ = state.L_W;
-  if (!keeps_rotation_) Eigen::Map<Matrix3>(memory_.get<StoredMatrix>().data()) = state.R_WB;
+  numbers_.q_WB = state.q_WB;
+  numbers_.omega_W = state.omega_W;
+  numbers_.L_W = state.L_W;
+  if (!keeps_rotation_) set_swollen_R_WB(state.R_WB);
 }
 
 Matrix3 ManagedBody::swollen_R_WB() const {
@@ -104,22 +98,27 @@ Matrix3 ManagedBody::swollen_R_WB() const {
   return Eigen::Map<const Matrix3>(memory.get<StoredMatrix>().data());
 }
 
+void ManagedBody::set_swollen_R_WB(const Matrix3& R_WB) {
+  Eigen::Map<Matrix3>(memory_.get<StoredMatrix>().data()) = R_WB;
+}
+
 btMatrix3x3 ManagedBody::known_basis() const {
-  return has_found() ? rare_->found_basis : basis_of(q_WB_);
+  return has_found() ? rare_->found_basis : basis_of(numbers_.q_WB);
 }
 
 btVector3 ManagedBody::known_omega_W() const {
-  return has_found() ? rare_->found_omega_W : to_bullet(omega_W_);
+  return has_found() ? rare_->found_omega_W : to_bullet(numbers_.omega_W);
 }
 
 Motion ManagedBody::known() const {
-  return {btTransform(known_basis(), unpacked(known_origin_)), unpacked(known_linear_velocity_),
+  return {btTransform(known_basis(), unpacked(numbers_.origin)), unpacked(numbers_.linear_velocity),
           known_omega_W()};
 }
 
 void ManagedBody::know(const Motion& motion) {
   know_place(motion.pose.getOrigin(), motion.linear_velocity);
-  if (same(motion.pose.getBasis(), basis_of(q_WB_)) && same(motion.omega_W, to_bullet(omega_W_))) {
+  if (same(motion.pose.getBasis(), basis_of(numbers_.q_WB)) &&
+      same(motion.omega_W, to_bullet(numbers_.omega_W))) {
     forget_found();
     return;
   }
@@ -129,8 +128,8 @@ void ManagedBody::know(const Motion& motion) {
 }
 
 void ManagedBody::know_place(const btVector3& origin, const btVector3& linear_velocity) {
-  known_origin_ = packed(origin);
-  known_linear_velocity_ = packed(linear_velocity);
+  numbers_.origin = packed(origin);
+  numbers_.linear_velocity = packed(linear_velocity);
 }
 
 void ManagedBody::forget_found() {
@@ -150,33 +149,20 @@ void ManagedBody::begin_step() {
     }
     take_over_changes();
   }
-  // Written only if they differ: a line of the cache that is written has to go back to memory.
-  const btVector3& origin = body_->getWorldTransform().getOrigin();
-  if (!same(origin, unpacked(known_origin_)) ||
-      !same(body_->getLinearVelocity(), unpacked(known_linear_velocity_))) {
-    know_place(origin, body_->getLinearVelocity());
-  }
-  if (!start_is_known_) start_is_known_ = true;
+  know_present_place();
+  know_start(!has_found() && !diverged_ && !is_held() && body_->getTotalTorque().isZero());
 }
 
 bool ManagedBody::is_as_written() const {
-  return !has_found() && !diverged_ && same(body_->getAngularVelocity(), to_bullet(omega_W_)) &&
-         same(body_->getInvInertiaDiagLocal(), unpacked(known_inverse_inertia_B_)) &&
-         same(body_->getWorldTransform().getBasis(), basis_of(q_WB_));
-}
-
-bool ManagedBody::can_leave_out_bullet() const {
-  return is_managed() && !diverged_ && turns_by_solver(*body_) &&
-         body_->getCcdSquareMotionThreshold() == btScalar(0.0);
+  return !has_found() && !diverged_ && same(body_->getAngularVelocity(), to_bullet(numbers_.omega_W)) &&
+         same(body_->getInvInertiaDiagLocal(), unpacked(numbers_.inverse_inertia_B)) &&
+         same(body_->getWorldTransform().getBasis(), basis_of(numbers_.q_WB));
 }
 
 BasisTurn ManagedBody::predict(btScalar dt) {
-  if (body_->getLinearDamping() != btScalar(0.0) || body_->getAngularDamping() != btScalar(0.0) ||
-      has_additional_damping(*body_)) {
-    body_->applyDamping(dt);
-  }
-  body_->setHitFraction(btScalar(1.0));
+  if (is_damped()) body_->applyDamping(dt);
   move(body_->getWorldTransform().getOrigin(), dt, body_->getInterpolationWorldTransform().getOrigin());
+  reset_hit_fraction();
   return {&body_->getWorldTransform().getBasis(), &body_->getAngularVelocity(),
           &body_->getInterpolationWorldTransform().getBasis()};
 }
@@ -192,7 +178,7 @@ bool ManagedBody::changed_state(RotationState& state) const {
   const btMatrix3x3& basis = body_->getWorldTransform().getBasis();
   const bool turned = !same(basis, known_basis());
   const bool kicked = !same(body_->getAngularVelocity(), known_omega_W());
-  const bool reshaped = packed(body_->getInvInertiaDiagLocal()) != known_inverse_inertia_B_;
+  const bool reshaped = packed(body_->getInvInertiaDiagLocal()) != numbers_.inverse_inertia_B;
   if (!turned && !kicked && !reshaped) return false;
   read_state(state);
   if (turned) set_orientation(state, to_quaternion(basis));
@@ -206,7 +192,7 @@ void ManagedBody::take_over_changes() {
   if (diverged_ || !changed_state(changed)) return;
   set_state(changed);
   know(motion_of(*body_));
-  known_inverse_inertia_B_ = packed(body_->getInvInertiaDiagLocal());
+  numbers_.inverse_inertia_B = packed(body_->getInvInertiaDiagLocal());
 }
 
 // Sets L_W to agree with omega_W. By the same formula everywhere, so that two histories of one state give the

@@ -7,9 +7,11 @@
 #include <memory>
 #include <optional>
 
+#include "bullet/body_readings.h"
 #include "bullet/bullet_replay.h"
 #include "bullet/conversions.h"
 #include "bullet/non_finite.h"
+#include "bullet/prefetch.h"
 #include "bullet/turns_together.h"
 #include "polhode/bullet/rotation_control.h"
 
@@ -42,6 +44,17 @@ struct PendingStep {
 
   // For write_step.
   Vector3 mean_omega_W;  // from the start to the end
+};
+
+/// What is known of a body in numbers, in the order in which a step comes to need them.
+struct BodyNumbers {
+  Quaternion q_WB = Quaternion::Identity();
+  Vector3 omega_W = Vector3::Zero();
+  // As Bullet's body said when it and the state last agreed.
+  PackedVector inverse_inertia_B{};
+  PackedVector origin{};
+  PackedVector linear_velocity{};
+  Vector3 L_W = Vector3::Zero();
 };
 
 /// One body of the world, under a scheme or not: its double state, and what Bullet's body said when the two
@@ -84,8 +97,31 @@ class ManagedBody {
   /// Before the solver. Takes over what the application changed; takes out what is not finite.
   void begin_step();
 
+  /// @name For untouched_bodies.h
+  /// @{
+  /// Whether begin_step may find nothing to be done; begin_untouched looks closer.
+  bool may_be_untouched() const { return !has_found() && !diverged_ && !is_damped(); }
+  void begin_untouched(bool is_free_to_turn) {
+    clear_flags();
+    know_start(is_free_to_turn);
+    reset_hit_fraction();
+  }
+  /// After the solver: whether step_untouched may stand for the body.
+  bool may_be_left_in_place() const { return turns_freely_ && turns_by_solver(*body_); }
+  void finish_untouched() {
+    ++steps_;
+    if (rare_ != nullptr) forget_torque();
+  }
+  BodyNumbers& numbers() { return numbers_; }
+  Matrix3 swollen_R_WB() const;
+  void set_swollen_R_WB(const Matrix3& R_WB);
+  /// @}
+
   /// After begin_step: whether Bullet need not move and turn the body in this step.
-  bool can_leave_out_bullet() const;
+  bool can_leave_out_bullet() const {
+    return is_managed() && !diverged_ && turns_by_solver(*body_) &&
+           body_->getCcdSquareMotionThreshold() == btScalar(0.0);
+  }
   /// What btDiscreteDynamicsWorld::predictUnconstraintMotion does for the body, but for the turn, which is
   /// returned.
   BasisTurn predict(btScalar dt);
@@ -99,7 +135,7 @@ class ManagedBody {
   /// Fills in what the step starts from and is told.
   void start_step(btScalar dt, BulletReplay& replay, PendingStep& pending);
   /// Whether it may not turn freely about some axis; step_held then takes the scheme's step.
-  bool is_held() const;
+  bool is_held() const { return has_unturnable_axis(*body_) || has_locked_axis(*body_); }
   void step_held(PendingStep& pending);
   /// When the scheme has taken the step. False: the body has diverged and stopped; else write_step has to be
   /// called.
@@ -116,8 +152,17 @@ class ManagedBody {
   /// Whether the handler has not heard of this kind for this body; from now on it has.
   bool is_first_report(IncidentKind kind);
 
-  /// What begin_step looks at comes first.
-  static constexpr std::size_t kBytesOfStart = 192;
+  /// @name What a walk over many bodies is about to look at
+  /// @{
+  void prefetch_start() const { prefetch(this, &numbers_.L_W); }
+  static void prefetch_start(const btRigidBody& body) { prefetch(&body, &body.getAngularFactor() + 1); }
+  void prefetch_step() const { prefetch(*this); }
+  static void prefetch_step(const btRigidBody& body) {
+    // The poses, and whether it is active.
+    prefetch(&body, reinterpret_cast<const char*>(&body) + 2 * sizeof(btCollisionObject) / 3);
+    prefetch(&body.getInvInertiaTensorWorld(), &body.getAngularVelocity() + 1);
+  }
+  /// @}
 
   /// The state, with what the application changed since.
   BodyRotation rotation() const;
@@ -126,6 +171,10 @@ class ManagedBody {
   void show_swollen() const;
 
  private:
+  static constexpr int kGyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
+                                          BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
+                                          BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
+
   enum class Choice : std::uint16_t { world_default, own_scheme, released };
 
   using StoredMatrix = std::array<double, 9>;
@@ -145,7 +194,6 @@ class ManagedBody {
   RarePart& rare();
   void read_state(RotationState& state) const;
   void set_state(const RotationState& state);
-  Matrix3 swollen_R_WB() const;
 
   // What Bullet's body said when it and the state last agreed; always finite.
   Motion known() const;
@@ -153,10 +201,35 @@ class ManagedBody {
   btVector3 known_omega_W() const;
   void know(const Motion& motion);
   void know_place(const btVector3& origin, const btVector3& linear_velocity);
+  // Written only if it differs: a line of the cache that is written has to go back to memory.
+  void know_present_place() {
+    const btVector3& origin = body_->getWorldTransform().getOrigin();
+    if (!same(origin, unpacked(numbers_.origin)) ||
+        !same(body_->getLinearVelocity(), unpacked(numbers_.linear_velocity))) {
+      know_place(origin, body_->getLinearVelocity());
+    }
+  }
   bool has_found() const { return rare_ != nullptr && rare_->has_found; }
   void forget_found();
 
-  void clear_flags();
+  bool is_damped() const {
+    return body_->getLinearDamping() != btScalar(0.0) || body_->getAngularDamping() != btScalar(0.0) ||
+           has_additional_damping_;
+  }
+  // Written only if it differs, see know_present_place.
+  void reset_hit_fraction() {
+    if (body_->getHitFraction() != btScalar(1.0)) body_->setHitFraction(btScalar(1.0));
+  }
+  // Written only if they differ, see know_present_place.
+  void know_start(bool is_free_to_turn) {
+    const bool turns_freely = is_free_to_turn && body_->getAngularDamping() == btScalar(0.0);
+    if (turns_freely_ != turns_freely) turns_freely_ = turns_freely;
+    if (!start_is_known_) start_is_known_ = true;
+  }
+  void clear_flags() {
+    if ((body_->getFlags() & kGyroscopicFlags) != 0) take_flags();
+  }
+  void take_flags();
   bool is_as_written() const;
   bool changed_state(RotationState& state) const;
   void take_over_changes();
@@ -186,15 +259,12 @@ class ManagedBody {
   std::uint16_t reported_ : 2;  // a bit for each IncidentKind
   std::uint16_t incident_ : 2;  // 1 + IncidentKind, 0: none
   bool keeps_rotation_ : 1;
-  bool start_is_known_ : 1;  // whether omega_W_ is what the next solve starts from
+  bool start_is_known_ : 1;  // whether numbers_.omega_W is what the next solve starts from
   bool diverged_ : 1;
   bool leaves_out_bullet_ : 1;
-  Quaternion q_WB_ = Quaternion::Identity();
-  Vector3 omega_W_ = Vector3::Zero();
-  PackedVector known_inverse_inertia_B_{};
-  PackedVector known_origin_{};
-  PackedVector known_linear_velocity_{};
-  Vector3 L_W_ = Vector3::Zero();
+  bool has_additional_damping_ : 1;  // of Bullet's, which only a constructor sets
+  bool turns_freely_ : 1;            // in this step nothing but the solver acts on its rotation
+  BodyNumbers numbers_;
   std::uint64_t steps_ = 0;
   SchemeMemory memory_;  // of the scheme; the matrix of a body that swells
 };

@@ -100,8 +100,8 @@ void ManagedBody::start_step(btScalar dt, BulletReplay& replay, PendingStep& pen
   RotationState& state = pending.state;
   StepInput& input = pending.input;
   input.inertia_B = inertia_B(*body_);
-  if (!same(body_->getInvInertiaDiagLocal(), unpacked(known_inverse_inertia_B_))) {
-    known_inverse_inertia_B_ = packed(body_->getInvInertiaDiagLocal());
+  if (!same(body_->getInvInertiaDiagLocal(), unpacked(numbers_.inverse_inertia_B))) {
+    numbers_.inverse_inertia_B = packed(body_->getInvInertiaDiagLocal());
     agree_with_omega(state);
   }
   const btVector3& solved_W = pending.solved_W;
@@ -146,7 +146,7 @@ bool ManagedBody::accept_step(PendingStep& pending) {
   if (keeps_rotation_) {
     to_bullet(next.R_WB, pending.basis);
   } else {
-    pending.basis = basis_of(q_WB_);
+    pending.basis = basis_of(numbers_.q_WB);
   }
   return true;
 }
@@ -155,8 +155,8 @@ bool ManagedBody::accept_step(PendingStep& pending) {
 // next step, the velocity it has now is not the one it starts from.
 void ManagedBody::come_to_rest() {
   if (has_found()) rare_->found_omega_W.setZero();
-  omega_W_.setZero();
-  L_W_.setZero();
+  numbers_.omega_W.setZero();
+  numbers_.L_W.setZero();
 }
 
 // Continuous collision detection stops a body within the step and leaves a hit fraction of 0; how far it came
@@ -166,7 +166,7 @@ double ManagedBody::turned_fraction(btScalar dt) const {
   const Vector3 path = to_double(body_->getInterpolationLinearVelocity()) * static_cast<double>(dt);
   if (path.isZero(0.0)) return 1.0;
   const Vector3 covered =
-      to_double(body_->getWorldTransform().getOrigin()) - to_double(unpacked(known_origin_));
+      to_double(body_->getWorldTransform().getOrigin()) - to_double(unpacked(numbers_.origin));
   return std::clamp(covered.dot(path) / path.squaredNorm(), 0.0, 1.0);
 }
 
@@ -231,10 +231,6 @@ void ManagedBody::forget_torque() {
   rare_->torque_B.setZero();
 }
 
-bool ManagedBody::is_held() const {
-  return has_unturnable_axis(*body_) || has_locked_axis(*body_);
-}
-
 void ManagedBody::step_held(PendingStep& pending) {
   const StepInput& input = pending.input;
   RotationState& next = pending.state;
@@ -255,7 +251,7 @@ void ManagedBody::stop_spinning() {
   diverged_ = true;
   note(IncidentKind::scheme_diverged);
   body_->setAngularVelocity(btVector3(0, 0, 0));
-  write_pose(basis_of(q_WB_));
+  write_pose(basis_of(numbers_.q_WB));
   know(motion_of(*body_));
 }
 
@@ -264,7 +260,7 @@ void ManagedBody::write_pose(const btMatrix3x3& basis) {
 }
 
 void ManagedBody::write_step(const PendingStep& pending) {
-  body_->setAngularVelocity(to_bullet(omega_W_));
+  body_->setAngularVelocity(to_bullet(numbers_.omega_W));
   write_pose(pending.basis);
   // Bullet interpolates motion states between two steps back from the pose by this velocity: with the mean
   // velocity of the step it meets the pose before.

@@ -1,5 +1,7 @@
 #include "polhode/bullet/rotation_control.h"
 
+#include <LinearMath/btQuickprof.h>
+
 #include <stdexcept>
 #include <utility>
 
@@ -96,14 +98,17 @@ std::uint64_t RotationControl::incidents() const {
 }
 
 void RotationControl::begin_step() noexcept {
+  BT_PROFILE("polhode: begin");
   bodies_->begin_step();
 }
 
 void RotationControl::finish_step(btScalar dt) noexcept {
+  BT_PROFILE("polhode: rotate");
   bodies_->finish_step(dt);
 }
 
 void RotationControl::begin_step_and_predict(btScalar dt) noexcept {
+  BT_PROFILE("polhode: predict");
   bodies_->begin_step_and_predict(dt);
 }
 
@@ -115,15 +120,23 @@ void RotationControl::unhide_own_bodies() noexcept {
   bodies_->unhide_own_bodies();
 }
 
+void RotationControl::update_boxes() {
+  BT_PROFILE("updateAabbs");
+  bodies_->update_boxes();
+}
+
 void RotationControl::move_and_rotate_own_bodies(btScalar dt) noexcept {
+  BT_PROFILE("polhode: rotate");
   bodies_->move_and_rotate_own_bodies(dt);
 }
 
 void RotationControl::finish_other_bodies(btScalar dt) noexcept {
+  BT_PROFILE("polhode: rotate others");
   bodies_->finish_other_bodies(dt);
 }
 
 void RotationControl::show_own_bodies() {
+  BT_PROFILE("polhode: show");
   bodies_->show_own_bodies();
 }
 

@@ -5,26 +5,98 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
+void StepGroups::begin(ManagedBody& body, btScalar dt) {
+  if (!turns_in_lanes_ || !body.may_be_untouched()) {
+    begin_alone(body, dt);
+    return;
+  }
+  beginning_.add(body);
+  if (beginning_.is_full()) begin_block(dt);
+}
+
+void StepGroups::begin_block(btScalar dt) {
+  const Predictions::Begun begun = predictions_of_untouched_.begin(beginning_, dt);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    ManagedBody& body = *beginning_.bodies[lane];
+    if (begun.untouched.all()) {
+      body.begin_untouched(begun.free_to_turn[lane]);
+    } else {
+      begin_alone(body, dt);
+    }
+  }
+  beginning_.count = 0;
+}
+
+void StepGroups::begin_alone(ManagedBody& body, btScalar dt) {
+  body.begin_step();
+  if (body.has_incident()) note_incident();
+  predictions_[prediction_count_] = body.predict(dt);
+  ++prediction_count_;
+  if (prediction_count_ == kPredictions) turn_predictions(dt);
+}
+
+void StepGroups::turn_predictions(btScalar dt) {
+  turn_like_bullet(predictions_.data(), prediction_count_, dt, replay_);
+  prediction_count_ = 0;
+}
+
+void StepGroups::complete_predictions(btScalar dt) {
+  predictions_of_untouched_.complete(dt);
+  for (std::size_t i = 0; i < beginning_.count; ++i) begin_alone(*beginning_.bodies[i], dt);
+  beginning_.count = 0;
+  turn_predictions(dt);
+}
+
 void StepGroups::step(ManagedBody& body, btScalar dt, BulletsTurn bullets_turn) {
   Group& group = group_of(*body.scheme());
   group.dt = dt;
-  const bool is_pending = body.prepare_step(dt, bullets_turn, group.steps[group.count]);
+  if (bullets_turn == BulletsTurn::left_out && group.lane_scheme != nullptr && body.may_be_left_in_place()) {
+    group.left.add(body);
+    if (group.left.is_full()) step_left(group);
+  } else {
+    step_alone(group, body, bullets_turn);
+  }
+}
+
+void StepGroups::step_left(Group& group) {
+  const BlockLanes in_place = step_untouched(group.left, *group.lane_scheme, group.dt);
+  if (in_place.all()) {
+    note_incidents(group.left);
+  } else {
+    sort_left(group, in_place);
+  }
+  group.left.count = 0;
+}
+
+void StepGroups::sort_left(Group& group, const BlockLanes& in_place) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    ManagedBody& body = *group.left.bodies[lane];
+    if (in_place[lane]) {
+      group.in_place.add(body);
+      if (group.in_place.is_full()) {
+        step_untouched(group.in_place, *group.lane_scheme, group.dt);
+        note_incidents(group.in_place);
+        group.in_place.count = 0;
+      }
+    } else {
+      step_alone(group, body, BulletsTurn::left_out);
+    }
+  }
+}
+
+void StepGroups::note_incidents(const BodyBlock& block) {
+  for (const ManagedBody* body : block.bodies) {
+    if (body->has_incident()) note_incident();
+  }
+}
+
+void StepGroups::step_alone(Group& group, ManagedBody& body, BulletsTurn bullets_turn) {
+  const bool is_pending = body.prepare_step(group.dt, bullets_turn, group.steps[group.count]);
   if (body.has_incident()) note_incident();
   if (!is_pending) return;
   group.bodies[group.count] = &body;
   ++group.count;
-  if (group.count == kBodies) complete(group);
-}
-
-void StepGroups::predict(ManagedBody& body, btScalar dt) {
-  predictions_[prediction_count_] = body.predict(dt);
-  ++prediction_count_;
-  if (prediction_count_ == kPredictions) complete_predictions(dt);
-}
-
-void StepGroups::complete_predictions(btScalar dt) {
-  turn_like_bullet(predictions_.data(), prediction_count_, dt, replay_);
-  prediction_count_ = 0;
+  if (group.count == kBodies) complete_pending(group);
 }
 
 void StepGroups::complete_all() {
@@ -39,12 +111,23 @@ StepGroups::Group& StepGroups::group_of(const RotationScheme& scheme) {
   next_to_reuse_ = (next_to_reuse_ + 1) % kGroups;
   complete(group);
   group.scheme = &scheme;
+  group.lane_scheme = dynamic_cast<const LaneScheme*>(&scheme);
   return group;
+}
+
+// Of less than eight bodies each is stepped alone.
+void StepGroups::complete(Group& group) {
+  for (BodyBlock* block : {&group.left, &group.in_place}) {
+    for (std::size_t i = 0; i < block->count; ++i)
+      step_alone(group, *block->bodies[i], BulletsTurn::left_out);
+    block->count = 0;
+  }
+  complete_pending(group);
 }
 
 // Each stage is a loop of its own: a processor waits long for a vector whose numbers were stored one by one
 // just before.
-void StepGroups::complete(Group& group) {
+void StepGroups::complete_pending(Group& group) {
   if (group.count == 0) return;
   start(group);
   take_steps(group);

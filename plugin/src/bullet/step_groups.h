@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bullet/managed_body.h"
+#include "bullet/untouched_bodies.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
@@ -12,8 +13,9 @@ inline namespace POLHODE_PRECISION {
 /// Bodies that wait for their scheme's step, by scheme, so that a scheme takes many at once.
 class StepGroups {
  public:
-  /// The body's prediction for a step of dt; it is completed at the latest by complete_predictions.
-  void predict(ManagedBody& body, btScalar dt);
+  /// begin_step and the prediction for a step of dt, of an own body; completed at the latest by
+  /// complete_predictions.
+  void begin(ManagedBody& body, btScalar dt);
   void complete_predictions(btScalar dt);
 
   /// Prepares the body's step; it is completed at the latest by complete_all.
@@ -32,13 +34,26 @@ class StepGroups {
 
   struct Group {
     const RotationScheme* scheme = nullptr;
+    const LaneScheme* lane_scheme = nullptr;  // the same, if it is one
     btScalar dt = 0;
+    BodyBlock left;      // those that may have been left in place
+    BodyBlock in_place;  // those that were
+    // The others.
     std::size_t count = 0;
     std::array<ManagedBody*, kBodies> bodies;
     std::array<PendingStep, kBodies> steps;
   };
 
+  void begin_alone(ManagedBody& body, btScalar dt);
+  void begin_block(btScalar dt);
+  void turn_predictions(btScalar dt);
+
   Group& group_of(const RotationScheme& scheme);
+  void step_alone(Group& group, ManagedBody& body, BulletsTurn bullets_turn);
+  void step_left(Group& group);
+  void sort_left(Group& group, const BlockLanes& in_place);
+  void note_incidents(const BodyBlock& block);
+  void complete_pending(Group& group);
   void complete(Group& group);
   void start(Group& group);
   static void take_steps(Group& group);
@@ -46,6 +61,9 @@ class StepGroups {
   void write(Group& group);
 
   std::array<Group, kGroups> groups_;
+  const bool turns_in_lanes_ = turns_in_lanes();
+  BodyBlock beginning_;
+  Predictions predictions_of_untouched_;
   std::array<BasisTurn, kPredictions> predictions_;
   std::size_t prediction_count_ = 0;
   BulletReplay replay_;

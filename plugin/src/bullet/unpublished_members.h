@@ -15,5 +15,8 @@ int body_identity(const btRigidBody& body);
 /// btRigidBodyConstructionInfo::m_additionalDamping, which damps a slow body also at a damping of 0.
 bool has_additional_damping(const btRigidBody& body);
 
+/// What btRigidBody::updateInertiaTensor sets.
+btMatrix3x3& inverse_inertia_tensor_W(btRigidBody& body);
+
 }  // namespace POLHODE_PRECISION
 }  // namespace polhode

@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "bullet/inertia_tensors.h"
 #include "bullet/parallel_loop.h"
+#include "bullet/prefetch.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
@@ -31,29 +33,33 @@ void show_pose(btRigidBody& body) {
   }
 }
 
-// Asks for what a loop will need a few bodies later: Bullet's bodies and motion states are scattered, and
-// each body is some ten lines of the cache.
-void prefetch(const void* start, std::size_t bytes) {
-#if defined(__GNUC__)
-  constexpr std::size_t kLine = 64;
-  for (std::size_t offset = 0; offset < bytes; offset += kLine) {
-    __builtin_prefetch(static_cast<const char*>(start) + offset);
-  }
-#endif
-}
-
 constexpr int kPrefetchedAhead = 4;
 
+void prefetch_start(const ManagedBody& entry, const btRigidBody& body) {
+  entry.prefetch_start();
+  ManagedBody::prefetch_start(body);
+}
+
+void prefetch_step(const ManagedBody& entry, const btRigidBody& body) {
+  entry.prefetch_step();
+  ManagedBody::prefetch_step(body);
+}
+
+// One of the application's may be of any size; the pose of Bullet's is at its start.
 void prefetch_motion_state(const btRigidBody& body) {
-  // One of the application's may be of any size; the pose of Bullet's is at its start.
-  if (body.getMotionState() != nullptr) prefetch(body.getMotionState(), sizeof(btTransform));
+  const btMotionState* motion_state = body.getMotionState();
+  if (motion_state != nullptr) {
+    prefetch(motion_state, reinterpret_cast<const char*>(motion_state) + sizeof(btTransform));
+  }
 }
 
 }  // namespace
 
 WorldBodies::WorldBodies(btDynamicsWorld& world) : world_(&require_discrete(world)) {
   require_matching_bullet();
-  turns_in_lanes();  // found out here, where no other thread is at work
+  // Found out here, where no other thread is at work.
+  turns_in_lanes();
+  inertia_tensors_in_lanes();
   take_on_world();
 }
 
@@ -115,16 +121,15 @@ std::size_t WorldBodies::managed_bodies() const {
 
 // Calls function(entry, body, groups) for every body of the world and finish(groups) at the end of each part
 // of the walk.
-template <class Function, class Finish>
-void WorldBodies::walk(const Function& function, const Finish& finish, std::size_t bytes_of_entry) {
+template <class Prefetch, class Function, class Finish>
+void WorldBodies::walk(const Prefetch& prefetch_body, const Function& function, const Finish& finish) {
   if (world_ == nullptr) return;
   align_table();
   for_parts(table_.size_of(bodies()), [&](std::size_t first, std::size_t last) {
     StepGroups& groups = groups_of_this_thread();
     for (std::size_t i = first; i < last; ++i) {
       if (i + kPrefetchedAhead < last) {
-        prefetch(&table_[i + kPrefetchedAhead], bytes_of_entry);
-        prefetch(bodies()[static_cast<int>(i + kPrefetchedAhead)], sizeof(btRigidBody));
+        prefetch_body(table_[i + kPrefetchedAhead], *bodies()[static_cast<int>(i + kPrefetchedAhead)]);
       }
       function(table_[i], *bodies()[static_cast<int>(i)], groups);
     }
@@ -159,11 +164,12 @@ void WorldBodies::settle_all() {
 
 void WorldBodies::begin_step() {
   walk(
+      prefetch_start,
       [this](ManagedBody& entry, btRigidBody& body, StepGroups& groups) {
         settle(entry, body);
         begin(entry, groups);
       },
-      [](StepGroups& /*groups*/) {}, ManagedBody::kBytesOfStart);
+      [](StepGroups& /*groups*/) {});
   report();
 }
 
@@ -180,16 +186,20 @@ void WorldBodies::begin_step_and_predict(btScalar dt) {
   // A late impulse of Bullet's wants all bodies where Bullet left them.
   const bool bullet_moves_all = world_->getApplySpeculativeContactRestitution();
   walk(
+      prefetch_start,
       [this, dt, bullet_moves_all](ManagedBody& entry, btRigidBody& body, StepGroups& groups) {
         settle(entry, body);
         const bool is_own = !bullet_moves_all && entry.can_leave_out_bullet();
         // Written only if it differs: a line of the cache that is written has to go back to memory.
         if (entry.leaves_out_bullet() != is_own) entry.set_leaves_out_bullet(is_own);
         if (!is_own) has_others_.store(true, std::memory_order_relaxed);
-        begin(entry, groups);
-        if (is_own) groups.predict(entry, dt);
+        if (is_own) {
+          groups.begin(entry, dt);
+        } else {
+          begin(entry, groups);
+        }
       },
-      [dt](StepGroups& groups) { groups.complete_predictions(dt); }, ManagedBody::kBytesOfStart);
+      [dt](StepGroups& groups) { groups.complete_predictions(dt); });
   other_bodies_.clear();
   list_is_stale_ = has_others_;
   if (report()) predict_again(dt);
@@ -235,9 +245,26 @@ StepGroups& WorldBodies::groups_of_this_thread() {
   return *groups;
 }
 
+// A box is soon computed; where there are many the step waits for their memory.
+void WorldBodies::update_boxes() {
+  if (world_ == nullptr) return;
+  constexpr int kAhead = 2;
+  const btCollisionObjectArray& objects = world_->getCollisionObjectArray();
+  for (int i = 0; i < objects.size(); ++i) {
+    if (i + 3 * kAhead < objects.size()) prefetch(*objects[i + 3 * kAhead]);
+    if (i + 2 * kAhead < objects.size()) {
+      // Of Bullet's two broadphases this is the greater part of a body's.
+      const btBroadphaseProxy* proxy = objects[i + 2 * kAhead]->getBroadphaseHandle();
+      prefetch(proxy, proxy + 1);
+    }
+    if (world_->getForceUpdateAllAabbs() || objects[i]->isActive()) world_->updateSingleAabb(objects[i]);
+  }
+}
+
 template <class Choose>
 void WorldBodies::rotate(btScalar dt, const Choose& is_chosen) {
   walk(
+      prefetch_step,
       [&](ManagedBody& entry, btRigidBody& body, StepGroups& groups) {
         if (!is_chosen(entry)) return;
         if (entry.leaves_out_bullet()) {
@@ -246,7 +273,7 @@ void WorldBodies::rotate(btScalar dt, const Choose& is_chosen) {
           finish(entry, body, dt, groups);
         }
       },
-      [](StepGroups& groups) { groups.complete_all(); }, sizeof(ManagedBody));
+      [](StepGroups& groups) { groups.complete_all(); });
 }
 
 void WorldBodies::finish(ManagedBody& entry, btRigidBody& body, btScalar dt, StepGroups& groups) {
@@ -289,7 +316,7 @@ void WorldBodies::show_own_bodies() {
   constexpr int kAhead = kPrefetchedAhead;
   for (int i = 0; i < bodies().size(); ++i) {
     if (i + 2 * kAhead < bodies().size()) {
-      prefetch(&bodies()[i + 2 * kAhead]->getInterpolationWorldTransform(), sizeof(btTransform));
+      prefetch(bodies()[i + 2 * kAhead]->getInterpolationWorldTransform());
     }
     if (i + kAhead < bodies().size()) prefetch_motion_state(*bodies()[i + kAhead]);
     const bool is_own = !has_others_ || table_[static_cast<std::size_t>(i)].leaves_out_bullet();

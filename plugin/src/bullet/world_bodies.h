@@ -53,6 +53,7 @@ class WorldBodies {
   void begin_step_and_predict(btScalar dt);
   void hide_own_bodies();
   void unhide_own_bodies();
+  void update_boxes();
   void move_and_rotate_own_bodies(btScalar dt);
   void finish_other_bodies(btScalar dt);
   void show_own_bodies();
@@ -65,8 +66,8 @@ class WorldBodies {
  private:
   void require_world() const;
   BodyTable::Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
-  template <class Function, class Finish>
-  void walk(const Function& function, const Finish& finish, std::size_t bytes_of_entry);
+  template <class Prefetch, class Function, class Finish>
+  void walk(const Prefetch& prefetch_body, const Function& function, const Finish& finish);
   template <class Choose>
   void rotate(btScalar dt, const Choose& is_chosen);
   StepGroups& groups_of_this_thread();

@@ -1,21 +1,9 @@
 #include "free_top/free_top_step.h"
 
-#include <cmath>
-
 #include "free_top/long_step.h"
 #include "free_top/momentum_match.h"
 
 namespace polhode::free_top {
-
-namespace {
-
-// The body's axes as indices.
-std::array<std::uint8_t, 3> indices(const Axes<double>& axes) {
-  const auto index = [&](std::size_t i) { return static_cast<std::uint8_t>(axes[i]); };
-  return {index(0), index(1), index(2)};
-}
-
-}  // namespace
 
 FreeTopStep make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, double dt) {
   const double length = L_B.norm();
@@ -25,13 +13,13 @@ FreeTopStep make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, dou
   FreeTopStep step{};
   step.inertia_B = {inertia_B.x(), inertia_B.y(), inertia_B.z()};
   step.dt = dt;
-  step.axes = indices(body.axes);
+  step.kind = order_of(body.axes);
   step.L = in_order(body.axes, L_B);
   if (is_short(motion)) {
     step.substep = make_substep(motion, body.parity, length, 0.0);
-    step.substeps = 1;
     step.cos_about_L = 1.0;
   } else if (!moves(motion) || !std::isfinite(motion.turn2 + motion.nu_h2)) {
+    step.set_substeps(0);
     set_turn_about_L(step, motion.energy_angle, length);
   } else {
     set_long_step(step, motion, body.parity, length);
@@ -49,14 +37,12 @@ Quaternion advance(FreeTopStep& step, const Quaternion& q_WB, const Vector3& L_W
     const Vector3 axis_W = step.sin_about_L_per_length * L_W;
     q = Quaternion(step.cos_about_L, axis_W.x(), axis_W.y(), axis_W.z()) * q;
   }
-  for (int i = 0; i < step.substeps; ++i) q = q * take_substep(step);
+  for (int i = step.substeps(); i > 0; --i) q = q * take_substep(step);
   return q;
 }
 
 Vector3 angular_momentum_B(const FreeTopStep& step) {
-  Vector3 L_B;
-  for (std::size_t i = 0; i < 3; ++i) L_B[step.axes[i]] = step.L[i];
-  return L_B;
+  return in_body(step.axes(), step.L);
 }
 
 }  // namespace polhode::free_top

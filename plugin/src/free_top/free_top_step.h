@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <cmath>
 
 #include "free_top/substep.h"
 #include "polhode/rotation_state.h"
@@ -16,17 +15,23 @@ struct FreeTopStep {
   Triple<double> inertia_B;
   double dt;
 
-  std::array<std::uint8_t, 3> axes;  ///< see labels.h
-  std::uint16_t substeps;            ///< so many make one step; 0: it is only the turn about L
-  Triple<double> L;                  ///< the momentum in body axes now, in the order of the formulas
+  /// Of a short step, a substep and nothing else, order_of the axes (labels.h); else kOrders more for each
+  /// substep, and once more. In one number, which a step in lanes has to look at.
+  double kind;
+  Triple<double> L;  ///< the momentum in body axes now, in the order of the formulas
   Substep<double> substep;
 
   // The turn about L that is split off a long step, and all that there is if L stands still.
   double cos_about_L;
   double sin_about_L_per_length;
 
-  /// A substep and nothing else.
-  bool is_short() const { return substeps == 1 && sin_about_L_per_length == 0.0; }
+  static constexpr double kOrders = 6.0;
+
+  bool is_short() const { return kind < kOrders; }
+  Axes<double> axes() const { return axes_of(kind - kOrders * std::floor(kind / kOrders)); }
+  /// So many make one step; 0: it is only the turn about L.
+  int substeps() const { return is_short() ? 1 : static_cast<int>(std::floor(kind / kOrders)) - 1; }
+  void set_substeps(int count) { kind = order_of(axes()) + kOrders * (count + 1); }
 };
 
 /// |L|, kg m^2/s, under which a body is taken to be at rest: its square would underflow.

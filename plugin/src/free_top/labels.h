@@ -19,6 +19,23 @@ POLHODE_INLINE Real square(const Real& x) {
 template <class Real>
 using Axes = Triple<Real>;
 
+/// The axes as one number, 0 to 5.
+template <class Real>
+POLHODE_INLINE Real order_of(const Axes<Real>& axes) {
+  return 2.0 * axes[0] + select(axes[1] < axes[2], Real(0.0), Real(1.0));
+}
+
+/// The way back.
+template <class Real>
+POLHODE_INLINE Axes<Real> axes_of(const Real& order) {
+  const Real first = select(order < 2.0, Real(0.0), select(order < 4.0, Real(1.0), Real(2.0)));
+  // Of the two others the greater one is axis 3 where the order is even.
+  const Real least_other = select(order < 2.0, Real(1.0), Real(0.0));
+  const Real greatest_other = select(order < 4.0, Real(2.0), Real(1.0));
+  const auto is_even = order == 2.0 * first;
+  return {first, select(is_even, least_other, greatest_other), select(is_even, greatest_other, least_other)};
+}
+
 /// v_B in the order of the formulas.
 template <class Real, class VectorB>
 POLHODE_INLINE Triple<Real> in_order(const Axes<Real>& axes, const VectorB& v_B) {

@@ -1,69 +1,86 @@
 #include "free_top/lane_steps.h"
 
 #include <cstddef>
-#include <cstdint>
 
 #include "free_top/momentum_match.h"
 #include "lanes/instruction_sets.h"
+#include "lanes/lane_rows.h"
 
 namespace polhode::free_top {
 
 namespace {
 
-// The bodies at the start of the step.
-struct LaneStart {
-  QuaternionL q_WB;
-  Matrix3L R_WB;
-  Vector3L L_W;
+using Steps = std::array<FreeTopStep*, kLanes>;
 
-  POLHODE_INLINE explicit LaneStart(const LaneBodies& bodies)
-      : q_WB(bodies.of_state(&RotationState::q_WB)),
-        R_WB(q_WB.toRotationMatrix()),  // fewer operations than to gather it
-        L_W(bodies.of_state(&RotationState::L_W)) {}
+// A FreeTopStep is rows of four numbers.
+constexpr std::size_t kRow = 4;
+static_assert(sizeof(FreeTopStep) == 22 * sizeof(double), "the rows below are no longer its members");
 
-  POLHODE_INLINE Vector3L to_B(const Vector3L& v_W) const { return R_WB.transpose() * v_W; }
-};
+POLHODE_INLINE auto row_of(const Steps& steps, std::size_t row) {
+  return [&steps, row](std::size_t lane) { return &steps[lane]->inertia_B[0] + kRow * row; };
+}
 
-// The bodies at its end.
-struct LaneEnd {
-  QuaternionL q_WB;
-  Matrix3L R_WB;
-  Vector3L omega_W;
+POLHODE_INLINE LaneRowsOfFour<double> load_row(const Steps& steps, std::size_t row) {
+  return load_rows_of_four<double>(row_of(steps, row));
+}
 
-  // turned_WB is of unit length but for rounding, so that one Newton step makes it so.
-  POLHODE_INLINE LaneEnd(const QuaternionL& turned_WB, const Vector3L& inertia_B, const Vector3L& L_W)
-      : q_WB(turned_WB.coeffs() * (1.5 - 0.5 * turned_WB.coeffs().squaredNorm())),
-        R_WB(q_WB.toRotationMatrix()),
-        omega_W(R_WB * Vector3L(R_WB.transpose() * L_W).cwiseQuotient(inertia_B)) {}
+// The FreeTopSteps of eight bodies.
+struct LaneSteps {
+  Vector3L inertia_B;
+  Lanes dt;
+  Lanes kind;
+  Triple<Lanes> L;
+  Substep<Lanes> substep;
 
-  POLHODE_INLINE void store(std::size_t lane, RotationState& state) const {
-    for (int i = 0; i < 4; ++i) state.q_WB.coeffs()[i] = q_WB.coeffs()[i][lane];
-    for (int i = 0; i < 9; ++i) state.R_WB.coeffRef(i) = R_WB.coeff(i)[lane];
-    for (int i = 0; i < 3; ++i) state.omega_W[i] = omega_W[i][lane];
+  POLHODE_INLINE static LaneSteps load(const Steps& steps) {
+    const LaneRowsOfFour<double> row_0 = load_row(steps, 0), row_1 = load_row(steps, 1),
+                                 row_2 = load_row(steps, 2), row_3 = load_row(steps, 3),
+                                 row_4 = load_row(steps, 4);
+    return {Vector3L(row_0.x, row_0.y, row_0.z),
+            row_0.w,
+            row_1.x,
+            {row_1.y, row_1.z, row_1.w},
+            {{row_2.x, row_2.y, row_2.z},
+             row_2.w,
+             row_3.x,
+             {row_3.y, row_3.z, row_3.w},
+             {row_4.x, row_4.y},
+             {row_4.z, row_4.w}}};
+  }
+
+  // Those of the lanes in the mask.
+  POLHODE_INLINE void store(const Steps& steps, const std::bitset<kLanes>& mask) const {
+    FreeTopStep unwanted;
+    Steps targets;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) targets[lane] = mask[lane] ? steps[lane] : &unwanted;
+    const auto store_row = [&targets](std::size_t row, const LaneRowsOfFour<double>& values) {
+      store_rows_of_four(values, row_of(targets, row));
+    };
+    store_row(0, {inertia_B[0], inertia_B[1], inertia_B[2], dt});
+    store_row(1, {kind, L[0], L[1], L[2]});
+    store_row(2, {substep.mu[0], substep.mu[1], substep.mu[2], substep.cn});
+    store_row(3, {substep.dn, substep.slope[0], substep.slope[1], substep.slope[2]});
+    store_row(4, {substep.pull_12[0], substep.pull_12[1], substep.pull_23[0], substep.pull_23[1]});
+    for (FreeTopStep* step : targets) {
+      step->cos_about_L = 1.0;
+      step->sin_about_L_per_length = 0.0;
+    }
+  }
+
+  POLHODE_INLINE LaneMask is_short() const { return kind < FreeTopStep::kOrders; }
+  POLHODE_INLINE LaneMask is_made_for(const LaneInput& input) const {
+    return (dt == input.turn_dt) & is_same(inertia_B, input.inertia_B);
+  }
+
+  POLHODE_INLINE static LaneMask is_same(const Vector3L& a, const Vector3L& b) {
+    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
   }
 };
 
-template <std::size_t size>
-POLHODE_INLINE std::array<double, size> in_lane(std::size_t lane, const std::array<Lanes, size>& values) {
-  std::array<double, size> result;
-  for (std::size_t i = 0; i < size; ++i) result[i] = values[i][lane];
-  return result;
-}
-
-POLHODE_INLINE Substep<double> in_lane(std::size_t lane, const Substep<Lanes>& substep) {
-  return {in_lane(lane, substep.mu),
-          substep.cn[lane],
-          substep.dn[lane],
-          in_lane(lane, substep.slope),
-          in_lane(lane, substep.pull_12),
-          in_lane(lane, substep.pull_23)};
-}
-
 // Short steps, made as make_free_top_step does it.
 struct MadeSteps {
+  LaneSteps steps;
   Axes<Lanes> axes;
-  Triple<Lanes> L;
-  Substep<Lanes> substep;
   LaneMask is_good;  // where not, the step is not short, or the body is at rest
 
   POLHODE_INLINE MadeSteps(const Vector3L& inertia_B, const Vector3L& L_B, const Lanes& dt) {
@@ -71,73 +88,101 @@ struct MadeSteps {
     const auto body = labelled<Lanes>(inertia_B, Vector3L(L_B / length));
     const Motion<Lanes> motion = motion_of(body.inertia, body.u, Lanes(length * dt));
     axes = body.axes;
-    L = in_order(axes, L_B);
-    substep = make_substep(motion, body.parity, length, Lanes(0.0));
+    steps = {inertia_B, dt, order_of(axes), in_order(axes, L_B),
+             make_substep(motion, body.parity, length, Lanes(0.0))};
     is_good = is_short(motion) & (length >= kAtRest);
   }
+};
 
-  POLHODE_INLINE void store(std::size_t lane, const StepInput& input, FreeTopStep& step) const {
-    step.inertia_B = {input.inertia_B.x(), input.inertia_B.y(), input.inertia_B.z()};
-    step.dt = input.turn_dt;
-    for (std::size_t i = 0; i < 3; ++i) step.axes[i] = static_cast<std::uint8_t>(axes[i][lane]);
-    step.substeps = 1;
-    step.substep = in_lane(lane, substep);
-    step.cos_about_L = 1.0;
-    step.sin_about_L_per_length = 0.0;
+// The bodies half way through their step.
+struct Turned {
+  QuaternionL q_WB;  // of unit length but for rounding
+  Vector3L L_W;
+};
+
+POLHODE_INLINE Turned select(const LaneMask& mask, const Turned& a, const Turned& b) {
+  return {QuaternionL(select(mask, a.q_WB.coeffs(), b.q_WB.coeffs())), select(mask, a.L_W, b.L_W)};
+}
+
+POLHODE_INLINE LaneState end_of(const Turned& turned, const Vector3L& inertia_B) {
+  LaneState end;
+  end.L_W = turned.L_W;
+  // One Newton step makes it of unit length.
+  set_orientation(end, QuaternionL(turned.q_WB.coeffs() * (1.5 - 0.5 * turned.q_WB.coeffs().squaredNorm())));
+  set_angular_momentum(end, inertia_B, turned.L_W);
+  return end;
+}
+
+// A step of every body, of which the caller takes those that are free.
+struct FreeSteps {
+  Turned turned;
+  Triple<Lanes> next_L;
+
+  POLHODE_INLINE FreeSteps(const LaneSteps& steps, const Axes<Lanes>& axes, const Vector3L& L_B,
+                           const Vector3L& found_L_B, const LaneState& state)
+      : next_L(moved(steps.substep, steps.L)) {
+    const QuaternionL rho_B = alignment(L_B, found_L_B) * turn_of(steps.substep, axes, steps.L, next_L);
+    turned = {state.q_WB * rho_B, state.L_W};
+  }
+};
+
+// The same after a kick, or for the first time.
+struct ChangedSteps {
+  MadeSteps made;
+  Turned turned;
+
+  POLHODE_INLINE static Vector3L kicked_L_W(const LaneInput& input, const LaneState& state) {
+    const Vector3L delta_omega_B = state.R_WB.transpose() * input.delta_omega_W;
+    return state.L_W + state.R_WB * input.inertia_B.cwiseProduct(delta_omega_B);
+  }
+
+  POLHODE_INLINE ChangedSteps(const LaneInput& input, const LaneState& state, const Vector3L& L_W)
+      : made(input.inertia_B, state.R_WB.transpose() * L_W, input.turn_dt) {
+    const Triple<Lanes> next_L = moved(made.steps.substep, made.steps.L);
+    turned = {state.q_WB * turn_of(made.steps.substep, made.axes, made.steps.L, next_L), L_W};
+    made.steps.L = next_L;
   }
 };
 
 }  // namespace
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
-LanesLeft take_steps(const LaneBodies& bodies) noexcept {
-  const LaneStart start(bodies);
-  const Axes<Lanes> axes = bodies.axes();
-  const Triple<Lanes> L = bodies.of_step(&FreeTopStep::L);
-  const Vector3L L_B = in_body(axes, L);
-  const Vector3L found_L_B = start.to_B(start.L_W);
-  const LaneMask fits = is_same_momentum(L_B, found_L_B);
+void take_steps(const LaneInput& input, const Steps& steps, LaneState& state, LanesLeft& left) noexcept {
+  const LaneSteps stored = LaneSteps::load(steps);
+  const Axes<Lanes> axes = axes_of(stored.kind);
+  const Vector3L L_B = in_body(axes, stored.L);
+  const Vector3L found_L_B = state.R_WB.transpose() * state.L_W;
+  const LaneMask is_unkicked = LaneSteps::is_same(input.delta_omega_W, Vector3L::Zero());
+  const LaneMask is_prepared = is_unkicked & stored.is_made_for(input);
+  const LaneMask is_free = is_prepared & stored.is_short() & is_same_momentum(L_B, found_L_B);
+  const LaneMask is_long = is_prepared & !stored.is_short();
 
-  const Substep<Lanes> substep = bodies.substep();
-  const Triple<Lanes> next = moved(substep, L);
-  const QuaternionL rho_B = alignment(L_B, found_L_B) * turn_of(substep, axes, L, next);
-  const auto [I_x, I_y, I_z] = bodies.of_step(&FreeTopStep::inertia_B);
-  const LaneEnd end(start.q_WB * rho_B, Vector3L(I_x, I_y, I_z), start.L_W);
-  LanesLeft left;
-  for (std::size_t lane = 0; lane < bodies.count(); ++lane) {
-    if (fits[lane]) {
-      end.store(lane, *bodies.body(lane).state);
-      bodies.step(lane).L = in_lane(lane, next);
+  LaneMask is_taken = is_free;
+  Turned turned;
+  if (any(is_free)) {
+    const FreeSteps free(stored, axes, L_B, found_L_B, state);
+    turned = free.turned;
+    const LaneRows<double> next_L = {free.next_L[0], free.next_L[1], free.next_L[2]};
+    if (all(is_free)) {
+      store_rows_of_three(next_L, [&](std::size_t lane) { return steps[lane]->L.data(); });
     } else {
-      left.set(lane);
+      const std::bitset<kLanes> free_lanes = is_free.bits();
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        if (free_lanes[lane]) steps[lane]->L = {next_L.x[lane], next_L.y[lane], next_L.z[lane]};
+      }
     }
   }
-  return left;
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-LanesLeft make_and_take_steps(const LaneBodies& bodies) noexcept {
-  const LaneStart start(bodies);
-  const Vector3L inertia_B = bodies.of_input(&StepInput::inertia_B);
-  const Vector3L delta_omega_B = start.to_B(bodies.of_input(&StepInput::delta_omega_W));
-  const Vector3L L_W = start.L_W + start.R_WB * inertia_B.cwiseProduct(delta_omega_B);
-  const MadeSteps made(inertia_B, start.to_B(L_W), bodies.of_input(&StepInput::turn_dt));
-
-  const Triple<Lanes> next = moved(made.substep, made.L);
-  const LaneEnd end(start.q_WB * turn_of(made.substep, made.axes, made.L, next), inertia_B, L_W);
-  LanesLeft left;
-  for (std::size_t lane = 0; lane < bodies.count(); ++lane) {
-    if (made.is_good[lane]) {
-      RotationState& state = *bodies.body(lane).state;
-      for (int i = 0; i < 3; ++i) state.L_W[i] = L_W[i][lane];
-      end.store(lane, state);
-      made.store(lane, *bodies.body(lane).input, bodies.step(lane));
-      bodies.step(lane).L = in_lane(lane, next);
-    } else {
-      left.set(lane);
-    }
+  if (!all(is_free | is_long)) {
+    const ChangedSteps changed(input, state, ChangedSteps::kicked_L_W(input, state));
+    const LaneMask is_changed = changed.made.is_good & !is_free & !is_long;
+    changed.made.steps.store(steps, is_changed.bits());
+    turned = any(is_free) ? select(is_changed, changed.turned, turned) : changed.turned;
+    is_taken = is_free | is_changed;
   }
-  return left;
+  left = ~is_taken.bits();
+  if (left.all()) return;
+  const LaneState end = end_of(turned, input.inertia_B);
+  state = left.none() ? end : select(is_taken, end, state);
 }
 
 }  // namespace polhode::free_top

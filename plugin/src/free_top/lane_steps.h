@@ -1,21 +1,21 @@
 #pragma once
 
+#include <array>
 #include <bitset>
 
-#include "free_top/lane_bodies.h"
+#include "free_top/free_top_step.h"
+#include "lanes/lane_step.h"
 
-/// The step of `exact` for the bodies of a LaneBodies, where it is a single substep.
+/// The step of `exact` for eight bodies, where it is a single substep.
 namespace polhode::free_top {
 
 /// The lanes whose bodies a function leaves as they are.
 using LanesLeft = std::bitset<kLanes>;
 
-/// For bodies on which nothing acts and whose FreeTopStep was made for their inertia and dt and is short.
-/// Leaves those whose momentum it has not.
-LanesLeft take_steps(const LaneBodies& bodies) noexcept;
-
-/// For bodies whose FreeTopStep is to be made, after what the solver changed (see kick_drift.h) if anything.
-/// Leaves those for which it is not short, and those at rest.
-LanesLeft make_and_take_steps(const LaneBodies& bodies) noexcept;
+/// Takes the step of each body by its FreeTopStep, which it makes anew where that was made for another motion
+/// or the solver changed the velocity (kick_drift.h). Leaves bodies whose step is not short, and those at
+/// rest.
+void take_steps(const LaneInput& input, const std::array<FreeTopStep*, kLanes>& steps, LaneState& state,
+                LanesLeft& left) noexcept;
 
 }  // namespace polhode::free_top

@@ -54,14 +54,13 @@ void set_long_step(FreeTopStep& step, const Motion<double>& motion, double parit
   const int substeps = std::max(1, substeps_of(rest));
   const Motion<double> part = rest.over(1.0 / substeps);
   step.substep = make_substep(part, parity, length, part.energy_angle);
-  step.substeps = static_cast<std::uint16_t>(substeps);
+  step.set_substeps(substeps);
   set_turn_about_L(step, angle_about_L, length);
 }
 
 Quaternion take_substep(FreeTopStep& step) {
-  const Axes<double> axes = {double(step.axes[0]), double(step.axes[1]), double(step.axes[2])};
   const Triple<double> next = moved(step.substep, step.L);
-  const Quaternion rho_B = turn_of(step.substep, axes, step.L, next);
+  const Quaternion rho_B = turn_of(step.substep, step.axes(), step.L, next);
   step.L = next;
   return rho_B;
 }

@@ -5,7 +5,8 @@
 
 namespace polhode::free_top {
 
-/// Sets the constants of a step of several radians; step.axes and step.L are set. length is |L|.
+/// Sets the constants of a step of several radians; step.kind has its order, and step.L is set. length is
+/// |L|.
 void set_long_step(FreeTopStep& step, const Motion<double>& motion, double parity, double length);
 
 /// Sets the turn by `angle` about L that is apart from the substeps.

@@ -5,15 +5,11 @@
 #include "lanes/instruction_sets.h"
 #include "lanes/lanes.h"
 
-#if defined(__has_builtin) && defined(__GNUC__) && !defined(POLHODE_PLAIN_LANES)
-#if __has_builtin(__builtin_shufflevector)
-#define POLHODE_SHUFFLED_ROWS
-#endif
-#endif
-
+/// Between rows of numbers in memory, one of each body, and lanes. `row_of(lane)` points to a row's first
+/// number.
 namespace polhode {
 
-/// Three numbers of each of eight bodies. In memory they are a row of four, of which the last is of no use.
+/// Three numbers of each of eight bodies.
 template <class Number>
 struct LaneRows {
   using Some = BasicLanes<RegistersOf<Number>>;
@@ -21,77 +17,113 @@ struct LaneRows {
   Some x, y, z;
 };
 
-#if defined(POLHODE_SHUFFLED_ROWS)
+/// Four of them.
+template <class Number>
+struct LaneRowsOfFour {
+  using Some = BasicLanes<RegistersOf<Number>>;
+
+  Some x, y, z, w;
+};
+
+#if defined(POLHODE_SHUFFLES)
 
 // Half the time that it takes number by number.
-template <class Number, class RowOf>
-POLHODE_INLINE LaneRows<Number> load_rows_whole(RowOf row_of) {
+template <class Number>
+class ShuffledRows {
+ public:
   typedef Number Row __attribute__((vector_size(4 * sizeof(Number))));
-  using Some = typename LaneRows<Number>::Some;
+  using Some = BasicLanes<RegistersOf<Number>>;
   using Values = typename Some::Values;
-  Row rows[kLanes];  // std::array would lose the attribute
-  for (std::size_t lane = 0; lane < kLanes; ++lane) std::memcpy(&rows[lane], row_of(lane), sizeof(Row));
-  const Values rows_04 = __builtin_shufflevector(rows[0], rows[4], 0, 1, 2, 3, 4, 5, 6, 7);
-  const Values rows_15 = __builtin_shufflevector(rows[1], rows[5], 0, 1, 2, 3, 4, 5, 6, 7);
-  const Values rows_26 = __builtin_shufflevector(rows[2], rows[6], 0, 1, 2, 3, 4, 5, 6, 7);
-  const Values rows_37 = __builtin_shufflevector(rows[3], rows[7], 0, 1, 2, 3, 4, 5, 6, 7);
-  const Values xy_0145 = __builtin_shufflevector(rows_04, rows_15, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Values xy_2367 = __builtin_shufflevector(rows_26, rows_37, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Values z_0145 = __builtin_shufflevector(rows_04, rows_15, 2, 10, 3, 11, 6, 14, 7, 15);
-  const Values z_2367 = __builtin_shufflevector(rows_26, rows_37, 2, 10, 3, 11, 6, 14, 7, 15);
-  return {Some(__builtin_shufflevector(xy_0145, xy_2367, 0, 1, 8, 9, 4, 5, 12, 13)),
-          Some(__builtin_shufflevector(xy_0145, xy_2367, 2, 3, 10, 11, 6, 7, 14, 15)),
-          Some(__builtin_shufflevector(z_0145, z_2367, 0, 1, 8, 9, 4, 5, 12, 13))};
-}
 
-template <class Number, class RowOf>
-POLHODE_INLINE void store_rows_whole(const LaneRows<Number>& columns, RowOf row_of) {
-  typedef Number Row __attribute__((vector_size(4 * sizeof(Number))));
-  using Values = typename LaneRows<Number>::Some::Values;
-  const Values& x = columns.x.values();
-  const Values& y = columns.y.values();
-  const Values& z = columns.z.values();
-  const Values zero = {};
-  const Values xy_0145 = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Values xy_2367 = __builtin_shufflevector(x, y, 2, 10, 3, 11, 6, 14, 7, 15);
-  const Values z_0145 = __builtin_shufflevector(z, zero, 0, 8, 1, 9, 4, 12, 5, 13);
-  const Values z_2367 = __builtin_shufflevector(z, zero, 2, 10, 3, 11, 6, 14, 7, 15);
-  const Values pairs[] = {__builtin_shufflevector(xy_0145, z_0145, 0, 1, 8, 9, 4, 5, 12, 13),
-                          __builtin_shufflevector(xy_0145, z_0145, 2, 3, 10, 11, 6, 7, 14, 15),
-                          __builtin_shufflevector(xy_2367, z_2367, 0, 1, 8, 9, 4, 5, 12, 13),
-                          __builtin_shufflevector(xy_2367, z_2367, 2, 3, 10, 11, 6, 7, 14, 15)};
-  for (std::size_t lane = 0; lane < kLanes / 2; ++lane) {
-    const Row low = __builtin_shufflevector(pairs[lane], pairs[lane], 0, 1, 2, 3);
-    const Row high = __builtin_shufflevector(pairs[lane], pairs[lane], 4, 5, 6, 7);
-    std::memcpy(row_of(lane), &low, sizeof(Row));
-    std::memcpy(row_of(lane + kLanes / 2), &high, sizeof(Row));
+  template <class RowOf>
+  static POLHODE_INLINE LaneRowsOfFour<Number> load(RowOf row_of) {
+    Row rows[kLanes];  // std::array would lose the attribute
+    for (std::size_t lane = 0; lane < kLanes; ++lane) std::memcpy(&rows[lane], row_of(lane), sizeof(Row));
+    const Values rows_04 = __builtin_shufflevector(rows[0], rows[4], 0, 1, 2, 3, 4, 5, 6, 7);
+    const Values rows_15 = __builtin_shufflevector(rows[1], rows[5], 0, 1, 2, 3, 4, 5, 6, 7);
+    const Values rows_26 = __builtin_shufflevector(rows[2], rows[6], 0, 1, 2, 3, 4, 5, 6, 7);
+    const Values rows_37 = __builtin_shufflevector(rows[3], rows[7], 0, 1, 2, 3, 4, 5, 6, 7);
+    const Values xy_0145 = __builtin_shufflevector(rows_04, rows_15, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Values xy_2367 = __builtin_shufflevector(rows_26, rows_37, 0, 8, 1, 9, 4, 12, 5, 13);
+    const Values zw_0145 = __builtin_shufflevector(rows_04, rows_15, 2, 10, 3, 11, 6, 14, 7, 15);
+    const Values zw_2367 = __builtin_shufflevector(rows_26, rows_37, 2, 10, 3, 11, 6, 14, 7, 15);
+    return {Some(__builtin_shufflevector(xy_0145, xy_2367, 0, 1, 8, 9, 4, 5, 12, 13)),
+            Some(__builtin_shufflevector(xy_0145, xy_2367, 2, 3, 10, 11, 6, 7, 14, 15)),
+            Some(__builtin_shufflevector(zw_0145, zw_2367, 0, 1, 8, 9, 4, 5, 12, 13)),
+            Some(__builtin_shufflevector(zw_0145, zw_2367, 2, 3, 10, 11, 6, 7, 14, 15))};
   }
-}
+
+  // Each is the rows of two lanes, `lane` and `lane` + 4.
+  struct Pairs {
+    Values of[kLanes / 2];
+
+    POLHODE_INLINE explicit Pairs(const LaneRowsOfFour<Number>& columns) {
+      const Values& x = columns.x.values();
+      const Values& y = columns.y.values();
+      const Values& z = columns.z.values();
+      const Values& w = columns.w.values();
+      const Values xy_0145 = __builtin_shufflevector(x, y, 0, 8, 1, 9, 4, 12, 5, 13);
+      const Values xy_2367 = __builtin_shufflevector(x, y, 2, 10, 3, 11, 6, 14, 7, 15);
+      const Values zw_0145 = __builtin_shufflevector(z, w, 0, 8, 1, 9, 4, 12, 5, 13);
+      const Values zw_2367 = __builtin_shufflevector(z, w, 2, 10, 3, 11, 6, 14, 7, 15);
+      of[0] = __builtin_shufflevector(xy_0145, zw_0145, 0, 1, 8, 9, 4, 5, 12, 13);
+      of[1] = __builtin_shufflevector(xy_0145, zw_0145, 2, 3, 10, 11, 6, 7, 14, 15);
+      of[2] = __builtin_shufflevector(xy_2367, zw_2367, 0, 1, 8, 9, 4, 5, 12, 13);
+      of[3] = __builtin_shufflevector(xy_2367, zw_2367, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  };
+
+  // The first `bytes` of each row.
+  template <std::size_t bytes, class RowOf>
+  static POLHODE_INLINE void store(const LaneRowsOfFour<Number>& columns, RowOf row_of) {
+    const Pairs pairs(columns);
+    for (std::size_t lane = 0; lane < kLanes / 2; ++lane) {
+      const Row low = __builtin_shufflevector(pairs.of[lane], pairs.of[lane], 0, 1, 2, 3);
+      const Row high = __builtin_shufflevector(pairs.of[lane], pairs.of[lane], 4, 5, 6, 7);
+      std::memcpy(row_of(lane), &low, bytes);
+      std::memcpy(row_of(lane + kLanes / 2), &high, bytes);
+    }
+  }
+
+  // Two rows that follow one another in memory.
+  template <class RowOf>
+  static POLHODE_INLINE void store_two(const LaneRowsOfFour<Number>& first,
+                                       const LaneRowsOfFour<Number>& second, RowOf row_of) {
+    const Pairs a(first);
+    const Pairs b(second);
+    for (std::size_t lane = 0; lane < kLanes / 2; ++lane) {
+      const Values low = __builtin_shufflevector(a.of[lane], b.of[lane], 0, 1, 2, 3, 8, 9, 10, 11);
+      const Values high = __builtin_shufflevector(a.of[lane], b.of[lane], 4, 5, 6, 7, 12, 13, 14, 15);
+      std::memcpy(row_of(lane), &low, sizeof(Values));
+      std::memcpy(row_of(lane + kLanes / 2), &high, sizeof(Values));
+    }
+  }
+};
 
 #endif
 
-/// `row_of(lane)` points to the row's first number.
+/// Rows of four.
 template <class Number, class RowOf>
-POLHODE_INLINE LaneRows<Number> load_rows(RowOf row_of) {
-#if defined(POLHODE_SHUFFLED_ROWS)
-  if (is_one_register(kLanes * sizeof(Number))) return load_rows_whole<Number>(row_of);
+POLHODE_INLINE LaneRowsOfFour<Number> load_rows_of_four(RowOf row_of) {
+#if defined(POLHODE_SHUFFLES)
+  if (is_one_register(kLanes * sizeof(Number))) return ShuffledRows<Number>::load(row_of);
 #endif
-  LaneRows<Number> result = {Number(0.0), Number(0.0), Number(0.0)};
+  LaneRowsOfFour<Number> result = {Number(0.0), Number(0.0), Number(0.0), Number(0.0)};
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const Number* row = row_of(lane);
     result.x.set(lane, row[0]);
     result.y.set(lane, row[1]);
     result.z.set(lane, row[2]);
+    result.w.set(lane, row[3]);
   }
   return result;
 }
 
-/// The fourth number of each row becomes zero.
-template <class Number, class RowOf>
-POLHODE_INLINE void store_rows(const LaneRows<Number>& columns, RowOf row_of) {
-#if defined(POLHODE_SHUFFLED_ROWS)
+template <std::size_t numbers, class Number, class RowOf>
+POLHODE_INLINE void store_first_of_rows(const LaneRowsOfFour<Number>& columns, RowOf row_of) {
+#if defined(POLHODE_SHUFFLES)
   if (is_one_register(kLanes * sizeof(Number))) {
-    store_rows_whole(columns, row_of);
+    ShuffledRows<Number>::template store<numbers * sizeof(Number)>(columns, row_of);
     return;
   }
 #endif
@@ -100,8 +132,47 @@ POLHODE_INLINE void store_rows(const LaneRows<Number>& columns, RowOf row_of) {
     row[0] = columns.x[lane];
     row[1] = columns.y[lane];
     row[2] = columns.z[lane];
-    row[3] = Number(0.0);
+    if (numbers == 4) row[3] = columns.w[lane];
   }
+}
+
+template <class Number, class RowOf>
+POLHODE_INLINE void store_rows_of_four(const LaneRowsOfFour<Number>& columns, RowOf row_of) {
+  store_first_of_rows<4>(columns, row_of);
+}
+
+/// The first three of each row of four, of which the last must be readable.
+template <class Number, class RowOf>
+POLHODE_INLINE LaneRows<Number> load_rows(RowOf row_of) {
+  const LaneRowsOfFour<Number> rows = load_rows_of_four<Number>(row_of);
+  return {rows.x, rows.y, rows.z};
+}
+
+/// The fourth number of each row becomes zero.
+template <class Number, class RowOf>
+POLHODE_INLINE void store_rows(const LaneRows<Number>& columns, RowOf row_of) {
+  store_rows_of_four(LaneRowsOfFour<Number>{columns.x, columns.y, columns.z, Number(0.0)}, row_of);
+}
+
+/// The same for two rows that follow one another in memory.
+template <class Number, class RowOf>
+POLHODE_INLINE void store_two_rows(const LaneRows<Number>& first, const LaneRows<Number>& second,
+                                   RowOf row_of) {
+#if defined(POLHODE_SHUFFLES)
+  if (is_one_register(kLanes * sizeof(Number))) {
+    ShuffledRows<Number>::store_two({first.x, first.y, first.z, Number(0.0)},
+                                    {second.x, second.y, second.z, Number(0.0)}, row_of);
+    return;
+  }
+#endif
+  store_rows(first, row_of);
+  store_rows(second, [&](std::size_t lane) { return row_of(lane) + 4; });
+}
+
+/// Rows of three, with nothing behind them.
+template <class Number, class RowOf>
+POLHODE_INLINE void store_rows_of_three(const LaneRows<Number>& columns, RowOf row_of) {
+  store_first_of_rows<3>(LaneRowsOfFour<Number>{columns.x, columns.y, columns.z, Number(0.0)}, row_of);
 }
 
 }  // namespace polhode

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "lanes/lane_block.h"
+#include "lanes/lanes.h"
+#include "polhode/rotation_scheme.h"
 #include "rotation_formulas.h"
 
 /// StepInput and RotationState of eight bodies, and what rotation_math.h has for the latter.
@@ -11,12 +12,6 @@ struct LaneInput {
   Vector3L delta_omega_W;
   Lanes dt;
   Lanes turn_dt;
-
-  explicit LaneInput(const LaneBlock& block)
-      : inertia_B(block.load([](const BodyStep& body) -> auto& { return body.input->inertia_B; })),
-        delta_omega_W(block.load([](const BodyStep& body) -> auto& { return body.input->delta_omega_W; })),
-        dt(block.load_scalar([](const BodyStep& body) { return body.input->dt; })),
-        turn_dt(block.load_scalar([](const BodyStep& body) { return body.input->turn_dt; })) {}
 };
 
 struct LaneState {
@@ -24,23 +19,6 @@ struct LaneState {
   Matrix3L R_WB;
   Vector3L omega_W;
   Vector3L L_W;
-
-  explicit LaneState(const LaneBlock& block)
-      : q_WB(block.load([](const BodyStep& body) -> auto& { return body.state->q_WB.coeffs(); })),
-        R_WB(block.load([](const BodyStep& body) -> auto& { return body.state->R_WB; })),
-        omega_W(block.load([](const BodyStep& body) -> auto& { return body.state->omega_W; })),
-        L_W(block.load([](const BodyStep& body) -> auto& { return body.state->L_W; })) {}
-
-  void store(const LaneBlock& block) const {
-    block.store(
-        q_WB.coeffs(), [](const BodyStep& body) -> auto& { return body.state->q_WB.coeffs(); });
-    block.store(
-        R_WB, [](const BodyStep& body) -> auto& { return body.state->R_WB; });
-    block.store(
-        omega_W, [](const BodyStep& body) -> auto& { return body.state->omega_W; });
-    block.store(
-        L_W, [](const BodyStep& body) -> auto& { return body.state->L_W; });
-  }
 };
 
 inline void set_orientation(LaneState& state, const QuaternionL& q_WB) {
@@ -58,15 +36,45 @@ inline void set_angular_momentum(LaneState& state, const Vector3L& inertia_B, co
   state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, L_W);
 }
 
-/// `step(input, state)` for all the bodies, eight at a time.
-template <class Step>
-void step_in_lanes(const BodyStep* bodies, std::size_t count, Step step) {
-  in_blocks(bodies, count, [step](const LaneBlock& block) {
-    const LaneInput input(block);
-    LaneState state(block);
-    step(input, state);
-    state.store(block);
-  });
+/// @name One of the bodies
+/// What is not in lanes is left as it is.
+/// @{
+template <class Lanes, class Doubles>
+void get_lane(std::size_t lane, const Lanes& values, Doubles& result) {
+  for (int i = 0; i < Lanes::SizeAtCompileTime; ++i) result.coeffRef(i) = values.coeff(i)[lane];
+}
+
+inline void get_lane(std::size_t lane, const LaneInput& input, StepInput& result) {
+  get_lane(lane, input.inertia_B, result.inertia_B);
+  get_lane(lane, input.delta_omega_W, result.delta_omega_W);
+  result.dt = input.dt[lane];
+  result.turn_dt = input.turn_dt[lane];
+}
+
+inline void get_lane(std::size_t lane, const LaneState& state, RotationState& result) {
+  get_lane(lane, state.q_WB.coeffs(), result.q_WB.coeffs());
+  get_lane(lane, state.R_WB, result.R_WB);
+  get_lane(lane, state.omega_W, result.omega_W);
+  get_lane(lane, state.L_W, result.L_W);
+}
+
+template <class Doubles, class Lanes>
+void set_lane(std::size_t lane, const Doubles& values, Lanes& result) {
+  for (int i = 0; i < Lanes::SizeAtCompileTime; ++i) result.coeffRef(i).set(lane, values.coeff(i));
+}
+
+inline void set_lane(std::size_t lane, const RotationState& state, LaneState& result) {
+  set_lane(lane, state.q_WB.coeffs(), result.q_WB.coeffs());
+  set_lane(lane, state.R_WB, result.R_WB);
+  set_lane(lane, state.omega_W, result.omega_W);
+  set_lane(lane, state.L_W, result.L_W);
+}
+/// @}
+
+/// In each lane `a` where the mask holds, else `b`.
+inline LaneState select(const LaneMask& mask, const LaneState& a, const LaneState& b) {
+  return {QuaternionL(select(mask, a.q_WB.coeffs(), b.q_WB.coeffs())), select(mask, a.R_WB, b.R_WB),
+          select(mask, a.omega_W, b.omega_W), select(mask, a.L_W, b.L_W)};
 }
 
 }  // namespace polhode

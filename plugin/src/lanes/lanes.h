@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <bitset>
 #include <cmath>
 
 #include "lanes/registers.h"
@@ -16,7 +17,7 @@ namespace polhode {
 
 /// A yes or no in each lane.
 template <class Registers>
-class BasicLaneMask {
+class alignas(kLanes * sizeof(typename Registers::Number)) BasicLaneMask {
  public:
   using Masks = typename Registers::Masks;
 
@@ -37,8 +38,16 @@ class BasicLaneMask {
     return result;
   }
 
+  template <class Comparison, class Values>
+  static POLHODE_INLINE BasicLaneMask comparing(Comparison comparison, const Values& a, const Values& b) {
+    BasicLaneMask result;
+    Registers::compare(comparison, result.masks_, a, b);
+    return result;
+  }
+
   POLHODE_INLINE const Masks& masks() const { return masks_; }
-  POLHODE_INLINE bool operator[](std::size_t lane) const { return masks_[lane] != 0; }
+  POLHODE_INLINE std::bitset<kLanes> bits() const { return Registers::bits(masks_); }
+  bool operator[](std::size_t lane) const { return bits()[lane]; }
 
   friend POLHODE_INLINE BasicLaneMask operator&(const BasicLaneMask& a, const BasicLaneMask& b) {
     return of([](auto& result, const auto& x, const auto& y) { result = x & y; }, a.masks_, b.masks_);
@@ -50,19 +59,19 @@ class BasicLaneMask {
     return of([](auto& result, const auto& x) { result = x == 0; }, a.masks_);
   }
 
-  friend POLHODE_INLINE bool any(const BasicLaneMask& a) {
-    std::int64_t found = 0;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) found |= a.masks_[lane];
-    return found != 0;
+  friend POLHODE_INLINE bool any(const BasicLaneMask& a) { return Registers::bits(a.masks_) != 0; }
+  friend POLHODE_INLINE bool all(const BasicLaneMask& a) {
+    return Registers::bits(a.masks_) == (1U << kLanes) - 1;
   }
-  friend POLHODE_INLINE bool all(const BasicLaneMask& a) { return !any(!a); }
 
  private:
   Masks masks_;
 };
 
+/// Aligned as the widest instruction set wants it: without being told so GCC aligns a vector for the set that
+/// it compiles for, and would move it as aligned in a function compiled for another.
 template <class Registers>
-class BasicLanes {
+class alignas(kLanes * sizeof(typename Registers::Number)) BasicLanes {
  public:
   using Number = typename Registers::Number;
   using Values = typename Registers::Values;
@@ -106,15 +115,16 @@ class BasicLanes {
   POLHODE_INLINE BasicLanes& operator/=(const BasicLanes& b) { return *this = *this / b; }
 
   friend POLHODE_INLINE Mask operator<(const BasicLanes& a, const BasicLanes& b) {
-    return Mask::of([](auto& result, const auto& x, const auto& y) { result = x < y; }, a.values_, b.values_);
+    return Mask::comparing([](auto& result, const auto& x, const auto& y) { result = x < y; }, a.values_,
+                           b.values_);
   }
   friend POLHODE_INLINE Mask operator<=(const BasicLanes& a, const BasicLanes& b) {
-    return Mask::of([](auto& result, const auto& x, const auto& y) { result = x <= y; }, a.values_,
-                    b.values_);
+    return Mask::comparing([](auto& result, const auto& x, const auto& y) { result = x <= y; }, a.values_,
+                           b.values_);
   }
   friend POLHODE_INLINE Mask operator==(const BasicLanes& a, const BasicLanes& b) {
-    return Mask::of([](auto& result, const auto& x, const auto& y) { result = x == y; }, a.values_,
-                    b.values_);
+    return Mask::comparing([](auto& result, const auto& x, const auto& y) { result = x == y; }, a.values_,
+                           b.values_);
   }
   friend POLHODE_INLINE Mask operator>(const BasicLanes& a, const BasicLanes& b) { return b < a; }
   friend POLHODE_INLINE Mask operator>=(const BasicLanes& a, const BasicLanes& b) { return b <= a; }
@@ -124,6 +134,14 @@ class BasicLanes {
   friend POLHODE_INLINE BasicLanes select(const Mask& mask, const BasicLanes& a, const BasicLanes& b) {
     BasicLanes result;
     Registers::choose(result.values_, mask.masks(), a.values_, b.values_);
+    return result;
+  }
+
+  /// From another precision, as static_cast rounds.
+  template <class Others>
+  static POLHODE_INLINE BasicLanes converted(const BasicLanes<Others>& others) {
+    BasicLanes result;
+    Registers::convert(result.values_, others.values());
     return result;
   }
 
@@ -164,6 +182,21 @@ class BasicLanes {
   }
 
   Values values_;
+};
+
+/// Whether numbers have the same bits, of any number of pairs at the cost of one comparison.
+template <class Registers>
+class BasicLaneDifferences {
+ public:
+  POLHODE_INLINE void add(const BasicLanes<Registers>& a, const BasicLanes<Registers>& b) {
+    Registers::add_differences(differences_, a.values(), b.values());
+  }
+  POLHODE_INLINE BasicLaneMask<Registers> are_none() const {
+    return BasicLaneMask<Registers>::of([](auto& result, const auto& x) { result = x == 0; }, differences_);
+  }
+
+ private:
+  typename Registers::Masks differences_ = {};
 };
 
 using Lanes = BasicLanes<Registers>;

@@ -14,24 +14,19 @@
 // closely, not to rounding: Bullet hands delta_omega to the solver before it solves, the adapter adds every
 // scheme's after.
 #include "lanes/instruction_sets.h"
-#include "lanes/lane_step.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-void step(const LaneInput& input, LaneState& state) {
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step(const LaneInput& input, LaneState& state) noexcept {
   const Vector3L omega_W =
       state.omega_W + input.delta_omega_W +
       formulas::implicit_gyroscopic_change_W(state.R_WB, input.inertia_B, state.omega_W, input.dt);
   set_orientation(state, formulas::turn_like_bullet(state.q_WB, omega_W, input.turn_dt));
   set_omega(state, input.inertia_B, omega_W);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
-  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
 }
 
 }  // namespace
@@ -41,7 +36,7 @@ const RotationScheme& bullet() {
                                             "Bullet 3.24, btRigidBody.cpp, btTransformUtil.h",
                                             "|omega| dt > pi/4: turns less than the velocity it reports", 1,
                                             Conservation::lost, Conservation::lost, Conservation::exact},
-                                           step_bodies);
+                                           step);
   return scheme;
 }
 

@@ -21,7 +21,6 @@ namespace polhode::schemes {
 namespace {
 
 using free_top::FreeTopStep;
-using free_top::LaneBodies;
 
 void drift(const StepInput& input, const Vector3& L_W, RotationState& state, FreeTopStep& step) {
   const Vector3 L_B = state.R_WB.transpose() * L_W;
@@ -36,65 +35,21 @@ void drift(const StepInput& input, const Vector3& L_W, RotationState& state, Fre
 }
 
 // A step of any kind.
-void step_alone(const BodyStep& body, FreeTopStep& step) {
-  kick_and_drift(*body.input, *body.state,
-                 [&](const Vector3& L_W) { drift(*body.input, L_W, *body.state, step); });
+void step_alone(const StepInput& input, RotationState& state, SchemeMemory& memory) {
+  auto& step = memory.get<FreeTopStep>();
+  kick_and_drift(input, state, [&](const Vector3& L_W) { drift(input, L_W, state, step); });
 }
 
-// Puts bodies together that take the same kind of step. Which kind a body takes is its own affair, never that
-// of the company it is in.
-class Groups {
- public:
-  void add(const BodyStep& body) {
-    const StepInput& input = *body.input;
-    auto& step = body.memory->get<FreeTopStep>();
-    const bool has_torque = !input.torque_W.isZero(0.0);
-    const bool is_changed =
-        !input.delta_omega_W.isZero(0.0) || !is_made_for(step, input.inertia_B, input.turn_dt);
-    if (is_changed && !has_torque) {
-      add_to_changed(body, step);
-    } else if (has_torque || !step.is_short()) {
-      step_alone(body, step);
-    } else {
-      free_.add(body, step);
-      if (free_.is_full()) step_free();
-    }
-  }
+void step_lane_alone(std::size_t lane, const LaneInput& input, LaneState& state, SchemeMemory& memory) {
+  StepInput input_alone;
+  RotationState state_alone;
+  get_lane(lane, input, input_alone);
+  get_lane(lane, state, state_alone);
+  step_alone(input_alone, state_alone, memory);
+  set_lane(lane, state_alone, state);
+}
 
-  void finish() {
-    if (!free_.is_empty()) step_free();
-    if (!changed_.is_empty()) step_changed();
-  }
-
- private:
-  void add_to_changed(const BodyStep& body, FreeTopStep& step) {
-    changed_.add(body, step);
-    if (changed_.is_full()) step_changed();
-  }
-
-  void step_free() {
-    free_.fill_up();
-    const free_top::LanesLeft left = free_top::take_steps(free_);
-    for (std::size_t lane = 0; lane < kLanes && left.any(); ++lane) {
-      if (left[lane]) add_to_changed(free_.body(lane), free_.step(lane));
-    }
-    free_.clear();
-  }
-
-  void step_changed() {
-    changed_.fill_up();
-    const free_top::LanesLeft left = free_top::make_and_take_steps(changed_);
-    for (std::size_t lane = 0; lane < kLanes && left.any(); ++lane) {
-      if (left[lane]) step_alone(changed_.body(lane), changed_.step(lane));
-    }
-    changed_.clear();
-  }
-
-  LaneBodies free_;     // with a FreeTopStep that fits, but perhaps for L
-  LaneBodies changed_;  // in need of another FreeTopStep
-};
-
-class Exact final : public RotationScheme {
+class Exact final : public LaneScheme {
  public:
   SchemeDescription description() const noexcept override {
     return {"exact",
@@ -107,21 +62,52 @@ class Exact final : public RotationScheme {
             Conservation::exact};
   }
 
-  void step(const StepInput& input, RotationState& state) const noexcept override {
-    SchemeMemory memory;
-    step_with_memory(input, state, memory);
+  void step_lanes(const LaneInput& input, LaneState& state,
+                  const LaneMemories& memories) const noexcept override {
+    std::array<FreeTopStep*, kLanes> steps;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) steps[lane] = &memories.of[lane]->get<FreeTopStep>();
+    free_top::LanesLeft left;
+    free_top::take_steps(input, steps, state, left);
+    if (left.none()) return;
+    for (std::size_t lane = 0; lane < memories.count; ++lane) {
+      if (left[lane]) step_lane_alone(lane, input, state, *memories.of[lane]);
+    }
   }
 
-  void step_with_memory(const StepInput& input, RotationState& state,
-                        SchemeMemory& memory) const noexcept override {
-    const BodyStep body = {&input, &state, &memory};
-    step_bodies(&body, 1);
-  }
-
+  // Bodies on which something acts are put together, for they cost more. What step a body takes is its own
+  // affair, never that of the company it is in.
   void step_bodies(const BodyStep* bodies, std::size_t count) const noexcept override {
-    Groups groups;
-    for (std::size_t i = 0; i < count; ++i) groups.add(bodies[i]);
-    groups.finish();
+    Group free;
+    Group changed;
+    for (std::size_t i = 0; i < count; ++i) {
+      const BodyStep& body = bodies[i];
+      if (!body.input->torque_W.isZero(0.0)) {
+        step_alone(*body.input, *body.state, *body.memory);
+      } else if (body.input->delta_omega_W.isZero(0.0)) {
+        add(body, free);
+      } else {
+        add(body, changed);
+      }
+    }
+    finish(free);
+    finish(changed);
+  }
+
+ private:
+  struct Group {
+    std::array<BodyStep, kLanes> bodies;
+    std::size_t count = 0;
+  };
+
+  void add(const BodyStep& body, Group& group) const {
+    group.bodies[group.count] = body;
+    ++group.count;
+    if (group.count == kLanes) finish(group);
+  }
+
+  void finish(Group& group) const {
+    LaneScheme::step_bodies(group.bodies.data(), group.count);
+    group.count = 0;
   }
 };
 

@@ -16,24 +16,19 @@
 // rad a step on the one Newton step may miss by far and energy leap up, a hundred-thousandfold if moments
 // differ much.
 #include "lanes/instruction_sets.h"
-#include "lanes/lane_step.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-void step(const LaneInput& input, LaneState& state) {
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step(const LaneInput& input, LaneState& state) noexcept {
   const Vector3L omega_W =
       state.omega_W + input.delta_omega_W +
       formulas::implicit_gyroscopic_change_W(state.R_WB, input.inertia_B, state.omega_W, input.dt);
   set_orientation(state, formulas::turn_by_euler(state.q_WB, omega_W, input.turn_dt));
   set_omega(state, input.inertia_B, omega_W);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
-  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
 }
 
 }  // namespace
@@ -44,7 +39,7 @@ const RotationScheme& implicit_gyroscopic() {
        "handout eq. 6-10, problem 4",
        "|omega| dt is not small: a tumble dies within seconds; past 1.4 energy may leap up", 1,
        Conservation::lost, Conservation::lost, Conservation::exact},
-      step_bodies);
+      step);
   return scheme;
 }
 

@@ -15,7 +15,6 @@
 // between steps. A kick counts by the velocity it makes, so that a contact that stops the body stops it;
 // since I_t shrinks as R swells, the momentum that a torque brings shrinks with it.
 #include "lanes/instruction_sets.h"
-#include "lanes/lane_step.h"
 #include "schemes/nearest_rotation.h"
 #include "schemes/scheme_definition.h"
 
@@ -23,7 +22,8 @@ namespace polhode::schemes {
 
 namespace {
 
-void step(const LaneInput& input, LaneState& state) {
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step(const LaneInput& input, LaneState& state) noexcept {
   const Vector3L L_W =
       state.L_W + formulas::angular_momentum_W(state.R_WB, input.inertia_B, input.delta_omega_W);
   const Vector3L omega_W = formulas::inverse_inertia_W(state.R_WB, input.inertia_B) * L_W;
@@ -33,11 +33,6 @@ void step(const LaneInput& input, LaneState& state) {
   set_angular_momentum(state, input.inertia_B, L_W);
 }
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
-  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
-}
-
 }  // namespace
 
 const RotationScheme& matrix() {
@@ -45,7 +40,7 @@ const RotationScheme& matrix() {
       {"matrix", "Euler step of the rotation matrix, which swells", "handout eq. 1-2, problem 1",
        "always in the end: det R grows by 1 + |omega|^2 dt^2 a step", 1, Conservation::lost,
        Conservation::exact, Conservation::lost},
-      step_bodies);
+      step);
   return scheme;
 }
 

@@ -9,24 +9,19 @@
 //
 // The velocity left behind is I_{t+1}^-1 l, as in `matrix`.
 #include "lanes/instruction_sets.h"
-#include "lanes/lane_step.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-void step(const LaneInput& input, LaneState& state) {
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step(const LaneInput& input, LaneState& state) noexcept {
   const Vector3L L_W =
       state.L_W + formulas::times_inertia_W(state.R_WB, input.inertia_B, input.delta_omega_W);
   const Vector3L omega_W = formulas::times_inverse_inertia_W(state.R_WB, input.inertia_B, L_W);
   set_orientation(state, formulas::turn_by_euler(state.q_WB, omega_W, input.turn_dt));
   set_angular_momentum(state, input.inertia_B, L_W);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
-  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
 }
 
 }  // namespace
@@ -36,7 +31,7 @@ const RotationScheme& quaternion() {
       {"quaternion", "Euler step of a unit quaternion at constant momentum", "handout eq. 3, problem 2",
        "|omega| dt is not small: a step turns by 2 atan(|omega| dt / 2)", 1, Conservation::lost,
        Conservation::exact, Conservation::exact},
-      step_bodies);
+      step);
   return scheme;
 }
 

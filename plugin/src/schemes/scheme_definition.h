@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lanes/lane_scheme.h"
 #include "polhode/rotation_math.h"
 #include "polhode/rotation_scheme.h"
 
@@ -21,32 +22,24 @@ class SchemeDefinition final : public RotationScheme {
   StepFunction step_;
 };
 
-using StepBodiesFunction = void (*)(const BodyStep*, std::size_t) noexcept;
+using StepLanesFunction = void (*)(const LaneInput&, LaneState&) noexcept;
 
-/// A built-in scheme that steps several bodies at once: its declaration and its function for any number of
-/// them.
-class LaneSchemeDefinition final : public RotationScheme {
+/// A built-in scheme that steps eight bodies at once and keeps nothing of them: its declaration and its step
+/// function.
+class LaneSchemeDefinition final : public LaneScheme {
  public:
-  LaneSchemeDefinition(const SchemeDescription& description, StepBodiesFunction step_bodies_function)
-      : description_(description), step_bodies_(step_bodies_function) {}
+  LaneSchemeDefinition(const SchemeDescription& description, StepLanesFunction step_function)
+      : description_(description), step_(step_function) {}
 
   SchemeDescription description() const noexcept override { return description_; }
-  void step(const StepInput& input, RotationState& state) const noexcept override {
-    SchemeMemory memory;
-    step_with_memory(input, state, memory);
-  }
-  void step_with_memory(const StepInput& input, RotationState& state,
-                        SchemeMemory& memory) const noexcept override {
-    const BodyStep body{&input, &state, &memory};
-    step_bodies_(&body, 1);
-  }
-  void step_bodies(const BodyStep* bodies, std::size_t count) const noexcept override {
-    step_bodies_(bodies, count);
+  void step_lanes(const LaneInput& input, LaneState& state,
+                  const LaneMemories& /*memories*/) const noexcept override {
+    step_(input, state);
   }
 
  private:
   SchemeDescription description_;
-  StepBodiesFunction step_bodies_;
+  StepLanesFunction step_;
 };
 
 // One accessor for each line of the list; the scheme's file defines it.

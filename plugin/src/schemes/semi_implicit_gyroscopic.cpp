@@ -11,14 +11,14 @@
 // Fails when: it runs long enough. The torque is quadratic in omega, so the energy it gains feeds its own
 // growth.
 #include "lanes/instruction_sets.h"
-#include "lanes/lane_step.h"
 #include "schemes/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-void step(const LaneInput& input, LaneState& state) {
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step(const LaneInput& input, LaneState& state) noexcept {
   // L_W = I_t omega_t; the same product, whose value at the start of the step the state carries.
   const Vector3L gyroscopic_torque_W = state.omega_W.cross(state.L_W);
   const Vector3L gyroscopic_change_W =
@@ -28,11 +28,6 @@ void step(const LaneInput& input, LaneState& state) {
   set_omega(state, input.inertia_B, omega_W);
 }
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_bodies(const BodyStep* bodies, std::size_t count) noexcept {
-  step_in_lanes(bodies, count, [](const LaneInput& input, LaneState& state) { step(input, state); });
-}
-
 }  // namespace
 
 const RotationScheme& semi_implicit_gyroscopic() {
@@ -40,7 +35,7 @@ const RotationScheme& semi_implicit_gyroscopic() {
       {"semi_implicit_gyroscopic", "gyroscopic torque by semi-implicit Euler, which gains energy",
        "handout eq. 4-5, problem 3", "it runs long: energy grows without bound until it overflows", 1,
        Conservation::lost, Conservation::lost, Conservation::exact},
-      step_bodies);
+      step);
   return scheme;
 }
 

@@ -104,6 +104,8 @@ class RotationControl {
   /// Takes the own bodies out of the world's list of bodies until unhide_own_bodies.
   void hide_own_bodies();
   void unhide_own_bodies() noexcept;
+  /// btCollisionWorld::updateAabbs, with a look ahead in memory.
+  void update_boxes();
   /// After the solver, in place of Bullet's integration.
   void move_and_rotate_own_bodies(btScalar dt) noexcept;
   /// finish_step, for the others.

@@ -50,6 +50,14 @@ class RotationWorld : public Base {
     Base::removeRigidBody(body);
   }
 
+  void updateAabbs() override {
+    if (kBulletsOwn) {
+      rotation_.update_boxes();
+    } else {
+      Base::updateAabbs();
+    }
+  }
+
   void synchronizeMotionStates() override {
     if (bullet_shows_poses()) {
       Base::synchronizeMotionStates();
