@@ -27,6 +27,12 @@ class SchemeMemory {
     return *std::launder(reinterpret_cast<T*>(bytes_));
   }
 
+  /// The T that is kept here; null if it is another type's or nobody's.
+  template <class T>
+  const T* find() const noexcept {
+    return type_ == &kTypeOf<T> ? std::launder(reinterpret_cast<const T*>(bytes_)) : nullptr;
+  }
+
  private:
   template <class T>
   static constexpr char kTypeOf = 0;  // its address tells types apart

@@ -5,9 +5,9 @@
 #include "bullet/bullet_lanes.h"
 
 /// Bullet's turn of eight bodies. The formulas are those of Bullet 3.24, without its SSE paths, operation by
-/// operation in the same order: LinearMath/btTransformUtil.h (integrateTransform), btMatrix3x3.h (getRotation,
-/// setRotation) and btQuaternion.h (operator*, safeNormalize). A choice between two results stands for a
-/// branch.
+/// operation in the same order: LinearMath/btTransformUtil.h (integrateTransform), btMatrix3x3.h
+/// (getRotation, setRotation) and btQuaternion.h (operator*, safeNormalize). A choice between two results
+/// stands for a branch.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -104,8 +104,8 @@ inline LaneBasis basis_of(const LaneQuaternion& q, const BulletLanes& length2_of
           {xz - wy, yz + wx, one - (xx + yy)}};
 }
 
-/// integrateTransform, from where it has the sine and the cosine. Where not `is_turned` Bullet leaves the basis
-/// as it is.
+/// integrateTransform, from where it has the sine and the cosine. Where not `is_turned` Bullet leaves the
+/// basis as it is.
 inline LaneBasis end_turn(const LaneTurn& turn, btScalar dt, BulletMask& is_turned) {
   const LaneQuaternion q_WB = safe_normalized(product(turn_W_of(turn, dt), turn.q_WB));
   const BulletLanes square = length2(q_WB);

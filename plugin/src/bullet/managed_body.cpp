@@ -9,6 +9,12 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
+namespace {
+
+using ColumnsOfFour = Eigen::OuterStride<4>;
+
+}  // namespace
+
 ManagedBody::ManagedBody(btRigidBody& body)
     : body_(&body),
       identity_(body_identity(body)),
@@ -90,16 +96,11 @@ void ManagedBody::set_state(const RotationState& state) {
   numbers_.q_WB = state.q_WB;
   numbers_.omega_W = state.omega_W;
   numbers_.L_W = state.L_W;
-  if (!keeps_rotation_) set_swollen_R_WB(state.R_WB);
+  if (!keeps_rotation_) Eigen::Map<Matrix3, 0, ColumnsOfFour>(swollen_columns().data()) = state.R_WB;
 }
 
 Matrix3 ManagedBody::swollen_R_WB() const {
-  SchemeMemory memory = memory_;
-  return Eigen::Map<const Matrix3>(memory.get<StoredMatrix>().data());
-}
-
-void ManagedBody::set_swollen_R_WB(const Matrix3& R_WB) {
-  Eigen::Map<Matrix3>(memory_.get<StoredMatrix>().data()) = R_WB;
+  return Eigen::Map<const Matrix3, 0, ColumnsOfFour>(memory_.find<SwollenColumns>()->data());
 }
 
 btMatrix3x3 ManagedBody::known_basis() const {
@@ -223,11 +224,15 @@ bool ManagedBody::is_first_report(IncidentKind kind) {
   return first;
 }
 
-void ManagedBody::show_swollen() const {
+void ManagedBody::show() const {
   btMotionState* motion_state = body_->getMotionState();
-  if (keeps_rotation_ || motion_state == nullptr || !body_->isActive()) return;
-  motion_state->setWorldTransform(
-      btTransform(to_bullet(swollen_R_WB()), body_->getWorldTransform().getOrigin()));
+  if (motion_state == nullptr || !body_->isActive()) return;
+  if (keeps_rotation_) {
+    motion_state->setWorldTransform(body_->getInterpolationWorldTransform());
+  } else {
+    motion_state->setWorldTransform(
+        btTransform(to_bullet(swollen_R_WB()), body_->getWorldTransform().getOrigin()));
+  }
 }
 
 BodyRotation ManagedBody::rotation() const {

@@ -107,14 +107,22 @@ class ManagedBody {
     reset_hit_fraction();
   }
   /// After the solver: whether step_untouched may stand for the body.
-  bool may_be_left_in_place() const { return turns_freely_ && turns_by_solver(*body_); }
+  bool may_be_in_place(BulletsTurn bullets_turn) const {
+    if (!turns_by_solver(*body_)) return false;
+    if (bullets_turn == BulletsTurn::left_out) return turns_freely_;
+    return start_is_known_ && !has_found() && !diverged_ && keeps_rotation_ &&
+           body_->getAngularDamping() == btScalar(0.0) &&
+           body_->getCcdSquareMotionThreshold() == btScalar(0.0);
+  }
   void finish_untouched() {
     ++steps_;
+    clear_flags();
     if (rare_ != nullptr) forget_torque();
   }
   BodyNumbers& numbers() { return numbers_; }
-  Matrix3 swollen_R_WB() const;
-  void set_swollen_R_WB(const Matrix3& R_WB);
+  /// The columns of R_WB of a body that swells, each with a number behind it that is of no use.
+  using SwollenColumns = std::array<double, 12>;
+  SwollenColumns& swollen_columns() { return memory_.get<SwollenColumns>(); }
   /// @}
 
   /// After begin_step: whether Bullet need not move and turn the body in this step.
@@ -167,8 +175,9 @@ class ManagedBody {
   /// The state, with what the application changed since.
   BodyRotation rotation() const;
 
-  /// Hands the basis that is no rotation, if the scheme keeps one, to the body's motion state.
-  void show_swollen() const;
+  /// Hands the pose to the motion state of a body that is awake, with the basis that is no rotation if the
+  /// scheme keeps one.
+  void show() const;
 
  private:
   static constexpr int kGyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
@@ -176,8 +185,6 @@ class ManagedBody {
                                           BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 
   enum class Choice : std::uint16_t { world_default, own_scheme, released };
-
-  using StoredMatrix = std::array<double, 9>;
 
   struct RarePart {
     SchemePointer own_scheme;
@@ -194,6 +201,7 @@ class ManagedBody {
   RarePart& rare();
   void read_state(RotationState& state) const;
   void set_state(const RotationState& state);
+  Matrix3 swollen_R_WB() const;
 
   // What Bullet's body said when it and the state last agreed; always finite.
   Motion known() const;

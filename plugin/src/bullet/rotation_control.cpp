@@ -144,6 +144,10 @@ void RotationControl::show_swollen_bodies() noexcept {
   bodies_->show_swollen_bodies();
 }
 
+void RotationControl::show_other_swollen_bodies() noexcept {
+  bodies_->show_other_swollen_bodies();
+}
+
 void RotationControl::body_added(btRigidBody& body) {
   if (!body.isStaticObject()) bodies_->body_added(body);
 }

@@ -5,6 +5,14 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
+namespace {
+
+std::size_t index(BulletsTurn bullets_turn) {
+  return static_cast<std::size_t>(bullets_turn);
+}
+
+}  // namespace
+
 void StepGroups::begin(ManagedBody& body, btScalar dt) {
   if (!turns_in_lanes_ || !body.may_be_untouched()) {
     begin_alone(body, dt);
@@ -50,36 +58,41 @@ void StepGroups::complete_predictions(btScalar dt) {
 void StepGroups::step(ManagedBody& body, btScalar dt, BulletsTurn bullets_turn) {
   Group& group = group_of(*body.scheme());
   group.dt = dt;
-  if (bullets_turn == BulletsTurn::left_out && group.lane_scheme != nullptr && body.may_be_left_in_place()) {
-    group.left.add(body);
-    if (group.left.is_full()) step_left(group);
-  } else {
+  const bool in_lanes = group.lane_scheme != nullptr && turns_in_lanes_ && body.may_be_in_place(bullets_turn);
+  if (!in_lanes) {
     step_alone(group, body, bullets_turn);
+    return;
   }
+  BodyBlock& block = group.waiting[index(bullets_turn)].maybe_in_place;
+  block.add(body);
+  if (block.is_full()) step_waiting(group, bullets_turn);
 }
 
-void StepGroups::step_left(Group& group) {
-  const BlockLanes in_place = step_untouched(group.left, *group.lane_scheme, group.dt);
+void StepGroups::step_waiting(Group& group, BulletsTurn bullets_turn) {
+  BodyBlock& block = group.waiting[index(bullets_turn)].maybe_in_place;
+  const BlockLanes in_place = step_untouched(block, bullets_turn, *group.lane_scheme, group.dt);
   if (in_place.all()) {
-    note_incidents(group.left);
+    note_incidents(block);
   } else {
-    sort_left(group, in_place);
+    sort(group, bullets_turn, in_place);
   }
-  group.left.count = 0;
+  block.count = 0;
 }
 
-void StepGroups::sort_left(Group& group, const BlockLanes& in_place) {
+// Those that are not in place are stepped alone, so that they do not keep the others from going together.
+void StepGroups::sort(Group& group, BulletsTurn bullets_turn, const BlockLanes& in_place) {
+  WaitingBodies& waiting = group.waiting[index(bullets_turn)];
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    ManagedBody& body = *group.left.bodies[lane];
-    if (in_place[lane]) {
-      group.in_place.add(body);
-      if (group.in_place.is_full()) {
-        step_untouched(group.in_place, *group.lane_scheme, group.dt);
-        note_incidents(group.in_place);
-        group.in_place.count = 0;
-      }
-    } else {
-      step_alone(group, body, BulletsTurn::left_out);
+    ManagedBody& body = *waiting.maybe_in_place.bodies[lane];
+    if (!in_place[lane]) {
+      step_alone(group, body, bullets_turn);
+      continue;
+    }
+    waiting.in_place.add(body);
+    if (waiting.in_place.is_full()) {
+      step_untouched(waiting.in_place, bullets_turn, *group.lane_scheme, group.dt);
+      note_incidents(waiting.in_place);
+      waiting.in_place.count = 0;
     }
   }
 }
@@ -117,10 +130,12 @@ StepGroups::Group& StepGroups::group_of(const RotationScheme& scheme) {
 
 // Of less than eight bodies each is stepped alone.
 void StepGroups::complete(Group& group) {
-  for (BodyBlock* block : {&group.left, &group.in_place}) {
-    for (std::size_t i = 0; i < block->count; ++i)
-      step_alone(group, *block->bodies[i], BulletsTurn::left_out);
-    block->count = 0;
+  for (const BulletsTurn bullets_turn : {BulletsTurn::made, BulletsTurn::left_out}) {
+    WaitingBodies& waiting = group.waiting[index(bullets_turn)];
+    for (BodyBlock* block : {&waiting.maybe_in_place, &waiting.in_place}) {
+      for (std::size_t i = 0; i < block->count; ++i) step_alone(group, *block->bodies[i], bullets_turn);
+      block->count = 0;
+    }
   }
   complete_pending(group);
 }

@@ -32,12 +32,16 @@ class StepGroups {
   static constexpr std::size_t kBodies = 16;
   static constexpr std::size_t kPredictions = 32;
 
+  struct WaitingBodies {
+    BodyBlock maybe_in_place;
+    BodyBlock in_place;
+  };
+
   struct Group {
     const RotationScheme* scheme = nullptr;
     const LaneScheme* lane_scheme = nullptr;  // the same, if it is one
     btScalar dt = 0;
-    BodyBlock left;      // those that may have been left in place
-    BodyBlock in_place;  // those that were
+    std::array<WaitingBodies, 2> waiting;  // by BulletsTurn
     // The others.
     std::size_t count = 0;
     std::array<ManagedBody*, kBodies> bodies;
@@ -50,8 +54,8 @@ class StepGroups {
 
   Group& group_of(const RotationScheme& scheme);
   void step_alone(Group& group, ManagedBody& body, BulletsTurn bullets_turn);
-  void step_left(Group& group);
-  void sort_left(Group& group, const BlockLanes& in_place);
+  void step_waiting(Group& group, BulletsTurn bullets_turn);
+  void sort(Group& group, BulletsTurn bullets_turn, const BlockLanes& in_place);
   void note_incidents(const BodyBlock& block);
   void complete_pending(Group& group);
   void complete(Group& group);

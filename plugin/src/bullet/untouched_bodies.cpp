@@ -98,6 +98,18 @@ BulletRows load_omega_W(const Block& block) {
   return block.load(omega_of);
 }
 
+BulletRows load_inverse_inertia_B(const Block& block) {
+  return block.load([](btRigidBody & body) -> auto& { return body.getInvInertiaDiagLocal(); });
+}
+
+BulletRows load_force_W(const Block& block) {
+  return block.load([](btRigidBody & body) -> auto& { return body.getTotalForce(); });
+}
+
+BulletRows load_torque_W(const Block& block) {
+  return block.load([](btRigidBody & body) -> auto& { return body.getTotalTorque(); });
+}
+
 BulletRows load_linear_velocity(const Block& block) {
   return block.load([](btRigidBody & body) -> auto& { return body.getLinearVelocity(); });
 }
@@ -174,35 +186,68 @@ void complete_turns(const Bodies* bodies, LaneTurn* turns, std::size_t count, bt
   }
 }
 
-// The basis is what was written: the state's, rounded.
-BulletDifferences differences_of_basis(const Block& block, const Matrix3L& R_WB) {
-  BulletDifferences differences;
-  add_differences(load_world_bases(block), to_bullet(R_WB), differences);
-  return differences;
-}
-
 // At the end of the step.
 struct Place {
   BulletRows origin;
   BulletRows velocity;
 };
 
+struct Start {
+  LaneInput input;
+  LaneState state;
+  Place place;  // at the end
+  BlockLanes is_in_place;
+};
+
 // As read_state and start_step.
+void read(const Block& block, btScalar dt, const BulletRows& solved_W, Start& start) {
+  set_orientation(start.state, block.load_q_WB());
+  start.state.omega_W = block.load(&BodyNumbers::omega_W);
+  start.state.L_W = block.load(&BodyNumbers::L_W);
+  start.input.inertia_B = to_double(block.load(&BodyNumbers::inverse_inertia_B)).cwiseInverse();
+  start.input.delta_omega_W = to_double(solved_W) - to_double(to_bullet(start.state.omega_W));
+  start.input.dt = double(dt);
+  start.input.turn_dt = double(dt);
+}
+
 POLHODE_FOR_EACH_INSTRUCTION_SET
-void start(const Block& block, btScalar dt, LaneInput& input, LaneState& state, Place& place,
-           BlockLanes& left_in_place) noexcept {
-  set_orientation(state, block.load_q_WB());
-  state.omega_W = block.load(&BodyNumbers::omega_W);
-  state.L_W = block.load(&BodyNumbers::L_W);
+void start_left_out(const Block& block, btScalar dt, Start& start) noexcept {
   const BulletRows omega_W = load_omega_W(block);
-  input.inertia_B = to_double(block.load(&BodyNumbers::inverse_inertia_B)).cwiseInverse();
-  input.delta_omega_W = to_double(omega_W) - to_double(to_bullet(state.omega_W));
-  input.dt = double(dt);
-  input.turn_dt = double(dt);
-  place.velocity = load_linear_velocity(block);
-  place.origin = moved(block.load(origin_of), place.velocity, dt);
-  left_in_place = differences_of_basis(block, state.R_WB).are_none().bits() &
-                  are_surely_finite(omega_W, place.velocity, place.origin).bits();
+  read(block, dt, omega_W, start);
+  start.place.velocity = load_linear_velocity(block);
+  start.place.origin = moved(block.load(origin_of), start.place.velocity, dt);
+  BulletDifferences differences;
+  add_differences(load_world_bases(block), to_bullet(start.state.R_WB), differences);
+  start.is_in_place = differences.are_none().bits() &
+                      are_surely_finite(omega_W, start.place.velocity, start.place.origin).bits();
+}
+
+// Where Bullet has made its turn: that and nothing else shows in the pose.
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void start_made(const Block& block, btScalar dt, Start& start) noexcept {
+  const BulletRows solved_W = block.load(interpolated_omega_of);
+  read(block, dt, solved_W, start);
+  start.place.velocity = load_linear_velocity(block);
+  start.place.origin = block.load(origin_of);
+  LaneTurn turn = begin_turn(to_bullet(start.state.R_WB), solved_W, dt);
+  take_sine_and_cosine(turn);
+  BulletMask is_turned;
+  const LaneBasis expected = end_turn(turn, dt, is_turned);
+  const LaneBasis found = load_world_bases(block);
+  const BulletRows inverse_inertia_B = load_inverse_inertia_B(block);
+  BulletDifferences differences;
+  add_differences(found, expected, differences);
+  add_differences(found, load_bases([&](std::size_t lane) -> auto& {
+                    return interpolated_basis_of(*block.bodies[lane]);
+                  }),
+                  differences);
+  add_differences(load_omega_W(block), solved_W, differences);
+  add_differences(inverse_inertia_B, block.load(&BodyNumbers::inverse_inertia_B), differences);
+  const BulletRows force_W = load_force_W(block);
+  const BulletRows torque_W = load_torque_W(block);
+  start.is_in_place =
+      differences.are_none().bits() & turn_freely(block, inverse_inertia_B, torque_W).bits() &
+      are_surely_finite(solved_W, start.place.velocity, start.place.origin, force_W, torque_W).bits();
 }
 
 // As within_limits.
@@ -222,9 +267,9 @@ BlockLanes within_limits(const LaneState& state, bool are_rotations) {
 }
 
 struct End {
-  LaneState state;
-  Vector3L mean_omega_W;
-  Place place;
+  const LaneState& state;
+  const Place& place;
+  const Vector3L& mean_omega_W;
   bool are_rotations;
 };
 
@@ -258,11 +303,36 @@ bool write(const Block& block, const End& end, bool tensors_too) noexcept {
   return true;
 }
 
+using ColumnsOfBodies = std::array<double*, kLanes>;
+
+ColumnsOfBodies swollen_columns(const BodyBlock& block) {
+  ColumnsOfBodies result;
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    result[lane] = block.bodies[lane]->swollen_columns().data();
+  return result;
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void load(const ColumnsOfBodies& columns, Matrix3L& R_WB) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    const auto column = load_rows<double>([&](std::size_t lane) { return columns[lane] + 4 * i; });
+    R_WB.col(i) = Vector3L(column.x, column.y, column.z);
+  }
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void store(const Matrix3L& R_WB, const ColumnsOfBodies& columns) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    store_rows(LaneRows<double>{R_WB(0, i), R_WB(1, i), R_WB(2, i)},
+               [&](std::size_t lane) { return columns[lane] + 4 * i; });
+  }
+}
+
 // Where the scheme of one of them diverged.
-void finish_alone(const BodyBlock& block, const End& end, btScalar dt) {
+void finish_alone(const BodyBlock& block, BulletsTurn bullets_turn, const End& end, btScalar dt) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     PendingStep step;
-    step.bullets_turn = BulletsTurn::left_out;
+    step.bullets_turn = bullets_turn;
     step.has_late_kick = false;
     step.input.dt = dt;
     get_lane(lane, end.state, step.state);
@@ -290,39 +360,37 @@ void Predictions::complete(btScalar dt) {
   count_ = 0;
 }
 
-BlockLanes step_untouched(const BodyBlock& bodies, const LaneScheme& scheme, btScalar dt) {
+BlockLanes step_untouched(const BodyBlock& bodies, BulletsTurn bullets_turn, const LaneScheme& scheme,
+                          btScalar dt) {
   const Block block(bodies);
-  LaneInput input;
-  End end;
-  end.are_rotations = bodies.bodies.front()->keeps_rotation();
-  BlockLanes left_in_place;
-  start(block, dt, input, end.state, end.place, left_in_place);
-  if (!left_in_place.all()) return left_in_place;
+  Start start;
+  (bullets_turn == BulletsTurn::made ? start_made : start_left_out)(block, dt, start);
+  if (!start.is_in_place.all()) return start.is_in_place;
 
+  const bool are_rotations = bodies.bodies.front()->keeps_rotation();
   SchemeMemory nobodys;
   LaneMemories memories{{}, kLanes};
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     memories.of[lane] = &bodies.bodies[lane]->memory_of_scheme(nobodys);
-    if (!end.are_rotations) set_lane(lane, bodies.bodies[lane]->swollen_R_WB(), end.state.R_WB);
   }
-  const QuaternionL start_q_WB = end.state.q_WB;
-  scheme.step_lanes(input, end.state, memories);
-  mean_angular_velocities_W(start_q_WB, end.state.q_WB, dt, end.mean_omega_W);
+  LaneState& state = start.state;
+  const QuaternionL start_q_WB = state.q_WB;
+  if (!are_rotations) load(swollen_columns(bodies), state.R_WB);
+  scheme.step_lanes(start.input, state, memories);
+  Vector3L mean_omega_W;
+  mean_angular_velocities_W(start_q_WB, state.q_WB, dt, mean_omega_W);
+
+  const End end = {state, start.place, mean_omega_W, are_rotations};
   if (!write(block, end, inertia_tensors_in_lanes())) {
-    finish_alone(bodies, end, dt);
-    return left_in_place;
+    finish_alone(bodies, bullets_turn, end, dt);
+    return start.is_in_place;
   }
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    ManagedBody& body = *bodies.bodies[lane];
-    body.finish_untouched();
-    if (!inertia_tensors_in_lanes()) body.address()->updateInertiaTensor();
-    if (!end.are_rotations) {
-      Matrix3 R_WB;
-      get_lane(lane, end.state.R_WB, R_WB);
-      body.set_swollen_R_WB(R_WB);
-    }
+  if (!are_rotations) store(state.R_WB, swollen_columns(bodies));
+  for (ManagedBody* body : bodies.bodies) {
+    body->finish_untouched();
+    if (!inertia_tensors_in_lanes()) body->address()->updateInertiaTensor();
   }
-  return left_in_place;
+  return start.is_in_place;
 }
 
 }  // namespace POLHODE_PRECISION

@@ -319,15 +319,30 @@ void WorldBodies::show_own_bodies() {
       prefetch(bodies()[i + 2 * kAhead]->getInterpolationWorldTransform());
     }
     if (i + kAhead < bodies().size()) prefetch_motion_state(*bodies()[i + kAhead]);
-    const bool is_own = !has_others_ || table_[static_cast<std::size_t>(i)].leaves_out_bullet();
-    if (is_own) show_pose(*bodies()[i]);
+    // As a rule what the library keeps of a body need not be looked at.
+    const ManagedBody& entry = table_[static_cast<std::size_t>(i)];
+    if (!has_others_ && !some_swell_) {
+      show_pose(*bodies()[i]);
+    } else if (entry.leaves_out_bullet()) {
+      entry.show();
+    }
   }
 }
 
 void WorldBodies::show_swollen_bodies() {
+  show_swollen([](const ManagedBody& /*entry*/) { return true; });
+}
+
+void WorldBodies::show_other_swollen_bodies() {
+  if (has_others_) show_swollen([](const ManagedBody& entry) { return !entry.leaves_out_bullet(); });
+}
+
+template <class Choose>
+void WorldBodies::show_swollen(const Choose& is_chosen) {
   if (!some_swell_ || world_ == nullptr) return;
-  for (int i = 0; i < bodies().size(); ++i) {
-    if (const ManagedBody* managed = find(*bodies()[i])) managed->show_swollen();
+  align_table();
+  for (std::size_t i = 0; i < table_.size_of(bodies()); ++i) {
+    if (table_[i].is_managed() && !table_[i].keeps_rotation() && is_chosen(table_[i])) table_[i].show();
   }
 }
 

@@ -58,6 +58,7 @@ class WorldBodies {
   void finish_other_bodies(btScalar dt);
   void show_own_bodies();
   void show_swollen_bodies();
+  void show_other_swollen_bodies();
   /// @}
 
   IncidentHandler handler;
@@ -73,6 +74,9 @@ class WorldBodies {
   StepGroups& groups_of_this_thread();
   static void begin(ManagedBody& entry, StepGroups& groups);
   void finish(ManagedBody& entry, btRigidBody& body, btScalar dt, StepGroups& groups);
+
+  template <class Choose>
+  void show_swollen(const Choose& is_chosen);
 
   void align_table();
   void settle(ManagedBody& entry, btRigidBody& body);

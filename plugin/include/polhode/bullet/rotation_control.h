@@ -115,6 +115,8 @@ class RotationControl {
 
   /// Hands the R_WB of bodies whose scheme does not keep a rotation to their motion states as it is.
   void show_swollen_bodies() noexcept;
+  /// The same, without those that show_own_bodies has shown.
+  void show_other_swollen_bodies() noexcept;
   /// A body entered or is leaving the world.
   void body_added(btRigidBody& body);
   void body_removed(btRigidBody& body);

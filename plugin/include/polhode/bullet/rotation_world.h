@@ -61,11 +61,12 @@ class RotationWorld : public Base {
   void synchronizeMotionStates() override {
     if (bullet_shows_poses()) {
       Base::synchronizeMotionStates();
+      rotation_.show_swollen_bodies();
     } else {
       rotation_.show_own_bodies();
       with_own_bodies_hidden([&] { Base::synchronizeMotionStates(); });
+      rotation_.show_other_swollen_bodies();
     }
-    rotation_.show_swollen_bodies();
   }
 
  protected:
