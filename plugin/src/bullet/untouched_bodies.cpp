@@ -267,6 +267,7 @@ BlockLanes within_limits(const LaneState& state, bool are_rotations) {
 }
 
 struct End {
+  const Vector3L& start_L_W;
   const LaneState& state;
   const Place& place;
   const Vector3L& mean_omega_W;
@@ -279,7 +280,10 @@ bool write(const Block& block, const End& end, bool tensors_too) noexcept {
   if (!within_limits(end.state, end.are_rotations).all()) return false;
   block.store_q_WB(end.state.q_WB);
   block.store(end.state.omega_W, &BodyNumbers::omega_W);
-  block.store(end.state.L_W, &BodyNumbers::L_W);
+  // Written only if it differs, see begin.
+  LaneDifferences differences;
+  for (int i = 0; i < 3; ++i) differences.add(end.state.L_W[i], end.start_L_W[i]);
+  if (!all(differences.are_none())) block.store(end.state.L_W, &BodyNumbers::L_W);
 
   const LaneBasis basis = to_bullet(Matrix3L(end.state.q_WB.toRotationMatrix()));
   store_transforms(
@@ -375,12 +379,13 @@ BlockLanes step_untouched(const BodyBlock& bodies, BulletsTurn bullets_turn, con
   }
   LaneState& state = start.state;
   const QuaternionL start_q_WB = state.q_WB;
+  const Vector3L start_L_W = state.L_W;
   if (!are_rotations) load(swollen_columns(bodies), state.R_WB);
   scheme.step_lanes(start.input, state, memories);
   Vector3L mean_omega_W;
   mean_angular_velocities_W(start_q_WB, state.q_WB, dt, mean_omega_W);
 
-  const End end = {state, start.place, mean_omega_W, are_rotations};
+  const End end = {start_L_W, state, start.place, mean_omega_W, are_rotations};
   if (!write(block, end, inertia_tensors_in_lanes())) {
     finish_alone(bodies, bullets_turn, end, dt);
     return start.is_in_place;

@@ -11,14 +11,16 @@ namespace polhode::free_top {
 /// once by make_free_top_step; a step then needs neither an elliptic nor a trigonometric function.
 /// Trivially copyable, so that it can be kept in a SchemeMemory.
 struct FreeTopStep {
-  // What it was made for.
-  Triple<double> inertia_B;
-  double dt;
+  // A step changes L and nothing else: what it does not write need not go back to memory.
 
   /// Of a short step, a substep and nothing else, order_of the axes (labels.h); else kOrders more for each
   /// substep, and once more. In one number, which a step in lanes has to look at.
   double kind;
   Triple<double> L;  ///< the momentum in body axes now, in the order of the formulas
+  // What it was made for.
+  Triple<double> inertia_B;
+  double dt;
+
   Substep<double> substep;
 
   // The turn about L that is split off a long step, and all that there is if L stands still.

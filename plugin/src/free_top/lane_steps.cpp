@@ -17,7 +17,7 @@ constexpr std::size_t kRow = 4;
 static_assert(sizeof(FreeTopStep) == 22 * sizeof(double), "the rows below are no longer its members");
 
 POLHODE_INLINE auto row_of(const Steps& steps, std::size_t row) {
-  return [&steps, row](std::size_t lane) { return &steps[lane]->inertia_B[0] + kRow * row; };
+  return [&steps, row](std::size_t lane) { return &steps[lane]->kind + kRow * row; };
 }
 
 POLHODE_INLINE LaneRowsOfFour<double> load_row(const Steps& steps, std::size_t row) {
@@ -26,20 +26,20 @@ POLHODE_INLINE LaneRowsOfFour<double> load_row(const Steps& steps, std::size_t r
 
 // The FreeTopSteps of eight bodies.
 struct LaneSteps {
-  Vector3L inertia_B;
-  Lanes dt;
   Lanes kind;
   Triple<Lanes> L;
+  Vector3L inertia_B;
+  Lanes dt;
   Substep<Lanes> substep;
 
   POLHODE_INLINE static LaneSteps load(const Steps& steps) {
     const LaneRowsOfFour<double> row_0 = load_row(steps, 0), row_1 = load_row(steps, 1),
                                  row_2 = load_row(steps, 2), row_3 = load_row(steps, 3),
                                  row_4 = load_row(steps, 4);
-    return {Vector3L(row_0.x, row_0.y, row_0.z),
-            row_0.w,
-            row_1.x,
-            {row_1.y, row_1.z, row_1.w},
+    return {row_0.x,
+            {row_0.y, row_0.z, row_0.w},
+            Vector3L(row_1.x, row_1.y, row_1.z),
+            row_1.w,
             {{row_2.x, row_2.y, row_2.z},
              row_2.w,
              row_3.x,
@@ -56,8 +56,8 @@ struct LaneSteps {
     const auto store_row = [&targets](std::size_t row, const LaneRowsOfFour<double>& values) {
       store_rows_of_four(values, row_of(targets, row));
     };
-    store_row(0, {inertia_B[0], inertia_B[1], inertia_B[2], dt});
-    store_row(1, {kind, L[0], L[1], L[2]});
+    store_row(0, {kind, L[0], L[1], L[2]});
+    store_row(1, {inertia_B[0], inertia_B[1], inertia_B[2], dt});
     store_row(2, {substep.mu[0], substep.mu[1], substep.mu[2], substep.cn});
     store_row(3, {substep.dn, substep.slope[0], substep.slope[1], substep.slope[2]});
     store_row(4, {substep.pull_12[0], substep.pull_12[1], substep.pull_23[0], substep.pull_23[1]});
@@ -68,12 +68,15 @@ struct LaneSteps {
   }
 
   POLHODE_INLINE LaneMask is_short() const { return kind < FreeTopStep::kOrders; }
-  POLHODE_INLINE LaneMask is_made_for(const LaneInput& input) const {
-    return (dt == input.turn_dt) & is_same(inertia_B, input.inertia_B);
-  }
-
-  POLHODE_INLINE static LaneMask is_same(const Vector3L& a, const Vector3L& b) {
-    return (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
+  // Made for these bodies, on which nothing acts now.
+  POLHODE_INLINE LaneMask are_prepared_for(const LaneInput& input) const {
+    LaneDifferences differences;
+    differences.add(dt, input.turn_dt);
+    for (int i = 0; i < 3; ++i) {
+      differences.add(inertia_B[i], input.inertia_B[i]);
+      differences.add(input.delta_omega_W[i], 0.0);
+    }
+    return differences.are_none();
   }
 };
 
@@ -88,7 +91,7 @@ struct MadeSteps {
     const auto body = labelled<Lanes>(inertia_B, Vector3L(L_B / length));
     const Motion<Lanes> motion = motion_of(body.inertia, body.u, Lanes(length * dt));
     axes = body.axes;
-    steps = {inertia_B, dt, order_of(axes), in_order(axes, L_B),
+    steps = {order_of(axes), in_order(axes, L_B), inertia_B, dt,
              make_substep(motion, body.parity, length, Lanes(0.0))};
     is_good = is_short(motion) & (length >= kAtRest);
   }
@@ -152,8 +155,7 @@ void take_steps(const LaneInput& input, const Steps& steps, LaneState& state, La
   const Axes<Lanes> axes = axes_of(stored.kind);
   const Vector3L L_B = in_body(axes, stored.L);
   const Vector3L found_L_B = state.R_WB.transpose() * state.L_W;
-  const LaneMask is_unkicked = LaneSteps::is_same(input.delta_omega_W, Vector3L::Zero());
-  const LaneMask is_prepared = is_unkicked & stored.is_made_for(input);
+  const LaneMask is_prepared = stored.are_prepared_for(input);
   const LaneMask is_free = is_prepared & stored.is_short() & is_same_momentum(L_B, found_L_B);
   const LaneMask is_long = is_prepared & !stored.is_short();
 

@@ -201,6 +201,7 @@ class BasicLaneDifferences {
 
 using Lanes = BasicLanes<Registers>;
 using LaneMask = BasicLaneMask<Registers>;
+using LaneDifferences = BasicLaneDifferences<Registers>;
 using Vector3L = Eigen::Matrix<Lanes, 3, 1>;
 using Matrix3L = Eigen::Matrix<Lanes, 3, 3>;
 using QuaternionL = Eigen::Quaternion<Lanes, Eigen::DontAlign>;

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "free_top/free_top_step.h"
 #include "support/random_body.h"
 
 namespace polhode::free_top {
@@ -41,6 +43,32 @@ TEST(Labels, OrderTheAxesRoundWhichThePolhodeCloses) {
         permutation.row(i) = Vector3::Unit(static_cast<Eigen::Index>(body.axes[static_cast<std::size_t>(i)]));
       }
       EXPECT_EQ(body.parity, permutation.determinant());
+    }
+  }
+}
+
+TEST(Labels, PutTheAxesIntoOneNumber) {
+  std::array<double, 3> axes = {0.0, 1.0, 2.0};
+  double order = 0.0;
+  do {
+    EXPECT_EQ(order_of<double>(axes), order);
+    EXPECT_EQ(axes_of(order), axes);
+    order += 1.0;
+  } while (std::next_permutation(axes.begin(), axes.end()));
+  EXPECT_EQ(order, FreeTopStep::kOrders);
+}
+
+TEST(FreeTopStep, KeepsTheNumberOfItsSubstepsBesideTheOrderOfItsAxes) {
+  for (double order = 0.0; order < FreeTopStep::kOrders; order += 1.0) {
+    FreeTopStep step{};
+    step.kind = order;
+    EXPECT_TRUE(step.is_short());
+    EXPECT_EQ(step.substeps(), 1);
+    for (const int substeps : {0, 1, 2, 300}) {
+      step.set_substeps(substeps);
+      EXPECT_FALSE(step.is_short());
+      EXPECT_EQ(step.substeps(), substeps);
+      EXPECT_EQ(step.axes(), axes_of(order));
     }
   }
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <random>
 #include <vector>
@@ -128,6 +130,41 @@ TYPED_TEST(LanesOf, KnowWhetherAMaskHoldsInAnyOrAll) {
     ASSERT_EQ(any(a < b), less > 0);
     ASSERT_EQ(all(a < b), less == kLanes);
   });
+}
+
+TYPED_TEST(LanesOf, TellWhichHaveTheSameBits) {
+  this->for_pairs([](const auto& a, const auto& b) {
+    BasicLaneDifferences<TypeParam> differences;
+    differences.add(a, a);
+    ASSERT_TRUE(all(differences.are_none()));
+    differences.add(a, b);
+    differences.add(b, b);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      std::uint64_t bits_of_a = 0;
+      std::uint64_t bits_of_b = 0;
+      std::memcpy(&bits_of_a, &a.values()[lane], sizeof bits_of_a);
+      std::memcpy(&bits_of_b, &b.values()[lane], sizeof bits_of_b);
+      ASSERT_EQ(differences.are_none()[lane], bits_of_a == bits_of_b);
+    }
+  });
+}
+
+TYPED_TEST(LanesOf, AreConvertedAsNumbersAre) {
+  using OfFloats = BasicLanes<std::conditional_t<std::is_same_v<TypeParam, PlainRegisters>,
+                                                 PlainRegistersOf<float>, RegistersOf<float>>>;
+  this->for_pairs([](const auto& a, const auto&) {
+    const auto rounded = OfFloats::converted(a);
+    const auto back = std::decay_t<decltype(a)>::converted(rounded);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      ASSERT_TRUE(same_bits(back[lane], static_cast<double>(static_cast<float>(a[lane])))) << a[lane];
+    }
+  });
+}
+
+// Else code for a wider instruction set than the caller's would move them as if they were.
+TYPED_TEST(LanesOf, AreAlignedForTheWidestInstructionSet) {
+  EXPECT_EQ(alignof(BasicLanes<TypeParam>), kLanes * sizeof(double));
+  EXPECT_EQ(alignof(Eigen::Matrix<BasicLanes<TypeParam>, 3, 1>), kLanes * sizeof(double));
 }
 
 // Eigen sums doubles in another order: here a number is eight plain lanes of it.
