@@ -26,7 +26,7 @@ void StepGroups::begin_block(btScalar dt) {
   const Predictions::Begun begun = predictions_of_untouched_.begin(beginning_, dt);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     ManagedBody& body = *beginning_.bodies[lane];
-    if (begun.untouched.all()) {
+    if (begun.all) {
       body.begin_untouched(begun.free_to_turn[lane]);
     } else {
       begin_alone(body, dt);

@@ -142,25 +142,32 @@ BulletMask turn_freely(const Block& block, const BulletRows& inverse_inertia_B, 
   return differences.are_none() & (least > btScalar(0.0));
 }
 
+struct Found {
+  BlockLanes in_place;  // as written, but perhaps for the angular velocity, and finite
+  BlockLanes free_to_turn;
+  BlockLanes kicked;  // with another angular velocity
+};
+
 POLHODE_FOR_EACH_INSTRUCTION_SET
-void begin(const Block& block, btScalar dt, Predictions::Begun& begun, LaneTurn& turn) noexcept {
+void begin(const Block& block, btScalar dt, Found& found, LaneTurn& turn) noexcept {
   const LaneBasis basis = load_world_bases(block);
-  const BulletRows omega_W = load_omega_W(block);
-  const BulletRows inverse_inertia_B =
-      block.load([](btRigidBody & body) -> auto& { return body.getInvInertiaDiagLocal(); });
+  const BulletRows inverse_inertia_B = load_inverse_inertia_B(block);
   BulletDifferences differences;
   add_differences(basis, to_bullet(Matrix3L(block.load_q_WB().toRotationMatrix())), differences);
-  add_differences(omega_W, to_bullet(block.load(&BodyNumbers::omega_W)), differences);
   add_differences(inverse_inertia_B, block.load(&BodyNumbers::inverse_inertia_B), differences);
-  const BulletRows force_W = block.load([](btRigidBody & body) -> auto& { return body.getTotalForce(); });
-  const BulletRows torque_W = block.load([](btRigidBody & body) -> auto& { return body.getTotalTorque(); });
+  const BulletRows omega_W = load_omega_W(block);
+  const BulletRows force_W = load_force_W(block);
+  const BulletRows torque_W = load_torque_W(block);
   const BulletRows origin = block.load(origin_of);
   const BulletRows velocity = load_linear_velocity(block);
-  begun.untouched =
+  found.in_place =
       differences.are_none().bits() & are_surely_finite(omega_W, velocity, origin, force_W, torque_W).bits();
-  if (!begun.untouched.all()) return;
+  if (!found.in_place.all()) return;
 
-  begun.free_to_turn = turn_freely(block, inverse_inertia_B, torque_W).bits();
+  BulletDifferences kicks;
+  add_differences(omega_W, to_bullet(block.load(&BodyNumbers::omega_W)), kicks);
+  found.kicked = ~kicks.are_none().bits();
+  found.free_to_turn = turn_freely(block, inverse_inertia_B, torque_W).bits();
   turn = begin_turn(basis, omega_W, dt);
   block.store(moved(origin, velocity, dt), interpolated_origin_of);
   BulletDifferences differences_of_place;
@@ -170,6 +177,21 @@ void begin(const Block& block, btScalar dt, Predictions::Begun& begun, LaneTurn&
   if (all(differences_of_place.are_none())) return;
   block.store(origin, &BodyNumbers::origin);
   block.store(velocity, &BodyNumbers::linear_velocity);
+}
+
+// As take_over_changes, of bodies whose schemes keep a rotation. Of those that were not kicked the numbers
+// are written as they were.
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void take_over_kicks(const Block& block, const BlockLanes& kicked) noexcept {
+  Lanes is_kicked;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) is_kicked.set(lane, kicked[lane] ? 1.0 : 0.0);
+  LaneState state;
+  set_orientation(state, block.load_q_WB());
+  const Vector3L inertia_B = to_double(block.load(&BodyNumbers::inverse_inertia_B)).cwiseInverse();
+  set_omega(state, inertia_B, to_double(load_omega_W(block)));
+  const LaneMask mask = is_kicked == 1.0;
+  block.store(select(mask, state.omega_W, block.load(&BodyNumbers::omega_W)), &BodyNumbers::omega_W);
+  block.store(select(mask, state.L_W, block.load(&BodyNumbers::L_W)), &BodyNumbers::L_W);
 }
 
 using Bodies = std::array<btRigidBody*, kLanes>;
@@ -350,13 +372,19 @@ void finish_alone(const BodyBlock& block, BulletsTurn bullets_turn, const End& e
 Predictions::Begun Predictions::begin(const BodyBlock& block, btScalar dt) {
   if (count_ == kBlocks) complete(dt);
   const Block loaded(block);
-  Begun begun;
-  polhode::begin(loaded, dt, begun, turns_[count_]);
-  if (begun.untouched.all()) {
-    bodies_[count_] = loaded.bodies;
-    ++count_;
+  Found found;
+  polhode::begin(loaded, dt, found, turns_[count_]);
+  if (!found.in_place.all()) return {false, {}};
+  if (found.kicked.any()) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const ManagedBody& body = *block.bodies[lane];
+      if (found.kicked[lane] && !(found.free_to_turn[lane] && body.keeps_rotation())) return {false, {}};
+    }
+    take_over_kicks(loaded, found.kicked);
   }
-  return begun;
+  bodies_[count_] = loaded.bodies;
+  ++count_;
+  return {true, found.free_to_turn};
 }
 
 void Predictions::complete(btScalar dt) {

@@ -31,17 +31,17 @@ using BlockLanes = std::bitset<kLanes>;
 class Predictions {
  public:
   struct Begun {
-    BlockLanes untouched;
+    bool all;  ///< of the bodies; else nothing that shows is done
     BlockLanes free_to_turn;
   };
 
-  /// begin_step and predict of a full block of bodies that may_be_untouched. Says which are untouched; if not
-  /// all of them, nothing is done. ManagedBody::begin_untouched has to be called for each.
+  /// begin_step and predict of a full block of bodies that may_be_untouched, where the application did no
+  /// more to any of them than to kick it; ManagedBody::begin_untouched then has to be called for each.
   Begun begin(const BodyBlock& block, btScalar dt);
   void complete(btScalar dt);
 
  private:
-  static constexpr std::size_t kBlocks = 4;
+  static constexpr std::size_t kBlocks = 2;
 
   std::array<std::array<btRigidBody*, kLanes>, kBlocks> bodies_;
   std::array<LaneTurn, kBlocks> turns_;

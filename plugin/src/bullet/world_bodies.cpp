@@ -45,6 +45,12 @@ void prefetch_step(const ManagedBody& entry, const btRigidBody& body) {
   ManagedBody::prefetch_step(body);
 }
 
+// Also what is looked at where Bullet has turned the body.
+void prefetch_whole_step(const ManagedBody& entry, const btRigidBody& body) {
+  entry.prefetch_step();
+  ManagedBody::prefetch_start(body);
+}
+
 // One of the application's may be of any size; the pose of Bullet's is at its start.
 void prefetch_motion_state(const btRigidBody& body) {
   const btMotionState* motion_state = body.getMotionState();
@@ -251,7 +257,10 @@ void WorldBodies::update_boxes() {
   constexpr int kAhead = 2;
   const btCollisionObjectArray& objects = world_->getCollisionObjectArray();
   for (int i = 0; i < objects.size(); ++i) {
-    if (i + 3 * kAhead < objects.size()) prefetch(*objects[i + 3 * kAhead]);
+    if (i + 3 * kAhead < objects.size()) {
+      const auto* object = reinterpret_cast<const char*>(objects[i + 3 * kAhead]);
+      prefetch(object, object + 4 * sizeof(btCollisionObject) / 5);  // the poses and what comes after
+    }
     if (i + 2 * kAhead < objects.size()) {
       // Of Bullet's two broadphases this is the greater part of a body's.
       const btBroadphaseProxy* proxy = objects[i + 2 * kAhead]->getBroadphaseHandle();
@@ -261,10 +270,10 @@ void WorldBodies::update_boxes() {
   }
 }
 
-template <class Choose>
-void WorldBodies::rotate(btScalar dt, const Choose& is_chosen) {
+template <class Prefetch, class Choose>
+void WorldBodies::rotate(btScalar dt, const Prefetch& prefetch_body, const Choose& is_chosen) {
   walk(
-      prefetch_step,
+      prefetch_body,
       [&](ManagedBody& entry, btRigidBody& body, StepGroups& groups) {
         if (!is_chosen(entry)) return;
         if (entry.leaves_out_bullet()) {
@@ -289,17 +298,17 @@ void WorldBodies::finish(ManagedBody& entry, btRigidBody& body, btScalar dt, Ste
 }
 
 void WorldBodies::finish_step(btScalar dt) {
-  rotate(dt, [](const ManagedBody& /*entry*/) { return true; });
+  rotate(dt, prefetch_whole_step, [](const ManagedBody& /*entry*/) { return true; });
   end_step();
 }
 
 void WorldBodies::move_and_rotate_own_bodies(btScalar dt) {
-  rotate(dt, [](const ManagedBody& entry) { return entry.leaves_out_bullet(); });
+  rotate(dt, prefetch_step, [](const ManagedBody& entry) { return entry.leaves_out_bullet(); });
 }
 
 void WorldBodies::finish_other_bodies(btScalar dt) {
   if (list_is_stale_ || !other_bodies_.empty()) {
-    rotate(dt, [](const ManagedBody& entry) { return !entry.leaves_out_bullet(); });
+    rotate(dt, prefetch_whole_step, [](const ManagedBody& entry) { return !entry.leaves_out_bullet(); });
   }
   end_step();
 }

@@ -69,8 +69,8 @@ class WorldBodies {
   BodyTable::Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
   template <class Prefetch, class Function, class Finish>
   void walk(const Prefetch& prefetch_body, const Function& function, const Finish& finish);
-  template <class Choose>
-  void rotate(btScalar dt, const Choose& is_chosen);
+  template <class Prefetch, class Choose>
+  void rotate(btScalar dt, const Prefetch& prefetch_body, const Choose& is_chosen);
   StepGroups& groups_of_this_thread();
   static void begin(ManagedBody& entry, StepGroups& groups);
   void finish(ManagedBody& entry, btRigidBody& body, btScalar dt, StepGroups& groups);

@@ -74,7 +74,7 @@ struct LaneSteps {
     differences.add(dt, input.turn_dt);
     for (int i = 0; i < 3; ++i) {
       differences.add(inertia_B[i], input.inertia_B[i]);
-      differences.add(input.delta_omega_W[i], 0.0);
+      differences.add(input.delta_omega_W[i] + 0.0, 0.0);  // -0 + 0 is 0
     }
     return differences.are_none();
   }
