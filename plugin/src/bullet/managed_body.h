@@ -99,6 +99,8 @@ class ManagedBody {
 
   /// @name For untouched_bodies.h
   /// @{
+  /// What the application changed, if it did.
+  void take_over_changes();
   /// Whether begin_step may find nothing to be done; begin_untouched looks closer.
   bool may_be_untouched() const { return !has_found() && !diverged_ && !is_damped(); }
   void begin_untouched(bool is_free_to_turn) {
@@ -240,7 +242,6 @@ class ManagedBody {
   void take_flags();
   bool is_as_written() const;
   bool changed_state(RotationState& state) const;
-  void take_over_changes();
   void agree_with_omega(RotationState& state) const;
   void come_to_rest();
   bool is_where_it_was(const RotationState& state) const;

@@ -179,21 +179,6 @@ void begin(const Block& block, btScalar dt, Found& found, LaneTurn& turn) noexce
   block.store(velocity, &BodyNumbers::linear_velocity);
 }
 
-// As take_over_changes, of bodies whose schemes keep a rotation. Of those that were not kicked the numbers
-// are written as they were.
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void take_over_kicks(const Block& block, const BlockLanes& kicked) noexcept {
-  Lanes is_kicked;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) is_kicked.set(lane, kicked[lane] ? 1.0 : 0.0);
-  LaneState state;
-  set_orientation(state, block.load_q_WB());
-  const Vector3L inertia_B = to_double(block.load(&BodyNumbers::inverse_inertia_B)).cwiseInverse();
-  set_omega(state, inertia_B, to_double(load_omega_W(block)));
-  const LaneMask mask = is_kicked == 1.0;
-  block.store(select(mask, state.omega_W, block.load(&BodyNumbers::omega_W)), &BodyNumbers::omega_W);
-  block.store(select(mask, state.L_W, block.load(&BodyNumbers::L_W)), &BodyNumbers::L_W);
-}
-
 using Bodies = std::array<btRigidBody*, kLanes>;
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
@@ -377,10 +362,8 @@ Predictions::Begun Predictions::begin(const BodyBlock& block, btScalar dt) {
   if (!found.in_place.all()) return {false, {}};
   if (found.kicked.any()) {
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const ManagedBody& body = *block.bodies[lane];
-      if (found.kicked[lane] && !(found.free_to_turn[lane] && body.keeps_rotation())) return {false, {}};
+      if (found.kicked[lane]) block.bodies[lane]->take_over_changes();
     }
-    take_over_kicks(loaded, found.kicked);
   }
   bodies_[count_] = loaded.bodies;
   ++count_;

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -140,11 +139,10 @@ TYPED_TEST(LanesOf, TellWhichHaveTheSameBits) {
     differences.add(a, b);
     differences.add(b, b);
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      std::uint64_t bits_of_a = 0;
-      std::uint64_t bits_of_b = 0;
-      std::memcpy(&bits_of_a, &a.values()[lane], sizeof bits_of_a);
-      std::memcpy(&bits_of_b, &b.values()[lane], sizeof bits_of_b);
-      ASSERT_EQ(differences.are_none()[lane], bits_of_a == bits_of_b);
+      const double number_a = a[lane];
+      const double number_b = b[lane];
+      const bool same = std::memcmp(&number_a, &number_b, sizeof number_a) == 0;
+      ASSERT_EQ(differences.are_none()[lane], same);
     }
   });
 }
