@@ -38,12 +38,9 @@ class FiguresRecorder {
   const Figures& figures() const { return figures_; }
 
  private:
-  void add_energy(double energy_J);
-  void add_momentum(const Vector3& L_W);
-  void add_attitude(const std::optional<double>& error_rad);
+  void add_errors(const Sample& sample);
 
-  double start_energy_J_;
-  Vector3 start_L_W_;
+  Sample start_;
   double dt_;
   Figures figures_;
 };

@@ -12,6 +12,7 @@ struct Sample {
   std::int64_t step = 0;
   double t_s = 0.0;
   RotationState state;
+  Vector3 position_W = Vector3::Zero();  ///< of the centre of mass, m
   /// Rotational, translational and potential; the latter is zero at the height of the world's origin.
   double energy_J = 0.0;
   /// The angle between q_WB and the orientation that the exact motion from the start has, if that is known.

@@ -54,6 +54,22 @@ BodyShape bullet_shape(const Compound& compound, double /*mass*/) {
   return result;
 }
 
+DrawnBody drawn(const btBoxShape& box, const btTransform& pose_BP) {
+  const Quaternion q_BP(from_bullet(pose_BP.getBasis()));
+  return {
+      std::nullopt,
+      {{from_bullet(box.getHalfExtentsWithMargin()), from_bullet(pose_BP.getOrigin()), q_BP.normalized()}}};
+}
+
+DrawnBody drawn(const btCompoundShape& compound) {
+  DrawnBody result;
+  for (int i = 0; i < compound.getNumChildShapes(); ++i) {
+    const auto& box = static_cast<const btBoxShape&>(*compound.getChildShape(i));
+    result.boxes.push_back(drawn(box, compound.getChildTransform(i)).boxes.front());
+  }
+  return result;
+}
+
 void resolve(Body& body) {
   body.inertia_B = make_shape(body).inertia_B;
   start_motion(body, *body.inertia_B);  // throws if it cannot be run
@@ -71,6 +87,13 @@ BodyShape make_shape(const Body& body) {
                                 ", in kg m^2; give other sizes or masses, or \"inertia\"");
   }
   return result;
+}
+
+DrawnBody drawn_body(const Body& body) {
+  if (const Sphere* sphere = std::get_if<Sphere>(&body.shape)) return {sphere->radius, {}};
+  const BodyShape made = make_shape(body);
+  if (std::holds_alternative<Compound>(body.shape)) return drawn(static_cast<btCompoundShape&>(*made.shape));
+  return drawn(static_cast<btBoxShape&>(*made.shape), btTransform::getIdentity());
 }
 
 Scenario resolved(Scenario scenario) {

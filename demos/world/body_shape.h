@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "record/drawn_body.h"
 #include "scenario/scenario.h"
 
 namespace polhode::demos {
@@ -18,6 +19,9 @@ struct BodyShape {
 
 /// @throws std::invalid_argument if the shape's inertia is out of kInertiaRange.
 BodyShape make_shape(const Body& body);
+
+/// The same shape to be drawn, in the body's axes.
+DrawnBody drawn_body(const Body& body);
 
 /// The scenario with the inertia of each body spelled out.
 /// @throws std::invalid_argument if it cannot be run, by make_shape or start_motion.

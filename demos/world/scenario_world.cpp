@@ -106,7 +106,8 @@ void ScenarioWorld::step() {
 std::optional<Sample> ScenarioWorld::sample() const {
   const std::optional<RotationState> state = rotation();
   if (!state) return std::nullopt;
-  Sample sample{steps_, static_cast<double>(steps_) * scenario_.dt, *state, energy_J(*state)};
+  Sample sample{steps_, static_cast<double>(steps_) * scenario_.dt, *state,
+                from_bullet(body().getCenterOfMassPosition()), energy_J(*state)};
   if (!sample.all_finite()) return std::nullopt;
   return sample;
 }

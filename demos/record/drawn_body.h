@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "polhode/rotation_state.h"
+
+namespace polhode::demos {
+
+/// A box of a body, in the body's axes. m.
+struct DrawnBox {
+  Vector3 half_extents;
+  Vector3 at_B;
+  Quaternion q_BP;  ///< turns the box' axes into the body's
+};
+
+/// What a body looks like: a sphere, or boxes.
+struct DrawnBody {
+  std::optional<double> radius;
+  std::vector<DrawnBox> boxes;
+};
+
+}  // namespace polhode::demos
