@@ -32,6 +32,7 @@ btRigidBody& add_body(Way& way, int body) {
       way.add_free(btVector3(1 + fraction(body, 7), 2 - fraction(body, 5), 3),
                    btVector3(3 - 6 * fraction(body, 4), 2 + fraction(body, 11), 4 * fraction(body, 3)),
                    btQuaternion(btVector3(1, fraction(body, 13), 2).normalized(), 3 * fraction(body, 17)));
+  added.setUserIndex(body);
   added.getWorldTransform().setOrigin(btVector3(10 * static_cast<btScalar>(body), 0, 0));
   added.setLinearVelocity(btVector3(fraction(body, 3), -1, fraction(body, 2)));
   return added;
@@ -118,6 +119,46 @@ void act_on(btRigidBody& body, int number, int step) {
   return ::testing::AssertionSuccess();
 }
 
+/// Kicks bodies now and then, when Bullet has moved them.
+class LateKicks final : public btActionInterface {
+ public:
+  void updateAction(btCollisionWorld* world, btScalar /*dt*/) override {
+    ++step_;
+    for (int i = 0; i < world->getNumCollisionObjects(); ++i) {
+      btRigidBody& body = *btRigidBody::upcast(world->getCollisionObjectArray()[i]);
+      if ((body.getUserIndex() + step_) % 11 != 0) continue;
+      body.setAngularVelocity(body.getAngularVelocity() + btVector3(1, btScalar(0.5), 0));
+    }
+  }
+  void debugDraw(btIDebugDraw* /*drawer*/) override {}
+
+ private:
+  int step_ = 0;
+};
+
+/// Another action of the application's comes before the plugin.
+class UnderRotationPluginAfterAnAction : public Scene<btDiscreteDynamicsWorld> {
+ public:
+  static constexpr const char* kName = "UnderRotationPluginAfterAnAction";
+
+  UnderRotationPluginAfterAnAction() {
+    world().addAction(&kicks_);
+    plugin_ = std::make_unique<RotationPlugin>(world());
+  }
+  ~UnderRotationPluginAfterAnAction() { world().removeAction(&kicks_); }
+  UnderRotationPluginAfterAnAction(const UnderRotationPluginAfterAnAction&) = delete;
+  UnderRotationPluginAfterAnAction& operator=(const UnderRotationPluginAfterAnAction&) = delete;
+
+  RotationControl& rotation() { return plugin_->rotation(); }
+  void take_over_changes() { plugin_->take_over_changes(); }
+
+ private:
+  LateKicks kicks_;
+  std::unique_ptr<RotationPlugin> plugin_;
+};
+
+using Ways = ::testing::Types<InRotationWorld, UnderRotationPlugin, UnderRotationPluginAfterAnAction>;
+
 template <class Way>
 class UntouchedBodies : public ::testing::Test {
  protected:
@@ -161,7 +202,7 @@ class UntouchedBodies : public ::testing::Test {
   std::vector<std::unique_ptr<Way>> alone_;
 };
 
-TYPED_TEST_SUITE(UntouchedBodies, BothWays, WayName);
+TYPED_TEST_SUITE(UntouchedBodies, Ways, WayName);
 
 TYPED_TEST(UntouchedBodies, AreSteppedAsEachAlone) {
   for (const SchemePointer& scheme : built_in_schemes()) {
