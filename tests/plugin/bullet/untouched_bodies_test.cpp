@@ -87,6 +87,12 @@ void act_on(btRigidBody& body, int number, int step) {
       body.setCcdMotionThreshold(btScalar(0.01));
       body.setCcdSweptSphereRadius(btScalar(0.1));
       break;
+    case 15:
+      body.getWorldTransform().setOrigin(btVector3(NAN, 1, 2));
+      break;
+    case 16:
+      body.setLinearVelocity(btVector3(0, NAN, 0));
+      break;
     default:
       break;
   }
