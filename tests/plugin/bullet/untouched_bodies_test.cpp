@@ -93,6 +93,9 @@ void act_on(btRigidBody& body, int number, int step) {
     case 16:
       body.setLinearVelocity(btVector3(0, NAN, 0));
       break;
+    case 17:
+      body.setHitFraction(btScalar(0.5));
+      break;
     default:
       break;
   }
