@@ -1,0 +1,23 @@
+"use strict";
+
+// All plots of the page.
+
+class Plots {
+  constructor(report, playback) {
+    this.plots = kSubjects.map(subject => new Plot(report, playback, subject));
+    byId("plots").append(...this.plots.map(plot => plot.figure));
+    byId("fast-note").hidden = !report.contenders.some(contender => contender.isFast);
+    this.rebuild();
+    playback.addEventListener("time", oncePerFrame(() => this.plots.forEach(plot => plot.showTime())));
+    let width = byId("plots").clientWidth;
+    new ResizeObserver(() => {
+      if (byId("plots").clientWidth === width) return;
+      width = byId("plots").clientWidth;
+      this.plots.forEach(plot => plot.resize());
+    }).observe(byId("plots"));
+  }
+
+  rebuild() {
+    this.plots.forEach(plot => plot.rebuild());
+  }
+}
