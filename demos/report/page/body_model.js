@@ -21,8 +21,9 @@ class BodyModel {
     this.addAxes();
     this.addJoint();
 
-    this.omega = new Arrow(this.radius, "\u03c9");
-    this.momentum = new Arrow(this.radius, "L");
+    // Where the two are parallel the thin one reaches out of the thick one.
+    this.omega = new Arrow(this.radius, "\u03c9", 0.024, 1.5);
+    this.momentum = new Arrow(this.radius, "L", 0.042, 1.12);
     this.root.add(this.solid, this.ghost, this.omega.root, this.momentum.root);
     const longest = key => Math.max(...report.contenders.map(each => length(each.vector(key, 0))));
     this.longest = {omega: longest("omega_W"), momentum: longest("L_W")};
@@ -32,7 +33,16 @@ class BodyModel {
   /** Of a sphere around the origin that holds the body. */
   static radiusOf(body) {
     if (!body.parts) return body.radius;
-    return Math.max(...body.parts.map(part => length(part.at) + length(part.half_extents)));
+    const corner = new THREE.Vector3();
+    let radius = 0;
+    for (const {half_extents: [x, y, z], at, q = [1, 0, 0, 0]} of body.parts) {
+      for (let i = 0; i < 8; ++i) {
+        corner.set(i & 1 ? x : -x, i & 2 ? y : -y, i & 4 ? z : -z);
+        corner.applyQuaternion(new THREE.Quaternion(q[1], q[2], q[3], q[0])).add(new THREE.Vector3(...at));
+        radius = Math.max(radius, corner.length());
+      }
+    }
+    return radius;
   }
 
   addParts() {
@@ -64,10 +74,10 @@ class BodyModel {
     this.letters = {};
     for (const [name, direction] of [["x", [1, 0, 0]], ["y", [0, 1, 0]], ["z", [0, 0, 1]]]) {
       const material = new THREE.LineBasicMaterial();
-      const tip = new THREE.Vector3(...direction).multiplyScalar(1.25 * this.radius);
+      const tip = new THREE.Vector3(...direction).multiplyScalar(1.1 * this.radius);
       this.axisMaterials[name] = material;
       this.solid.add(new THREE.Line(new THREE.BufferGeometry().setFromPoints([new THREE.Vector3(), tip]), material));
-      this.letters[name] = new Letter(name, 0.34 * this.radius);
+      this.letters[name] = new Letter(name, 0.27 * this.radius);
       this.letters[name].tip = tip.multiplyScalar(1.12);
       this.root.add(this.letters[name].sprite);
     }
@@ -125,8 +135,9 @@ class BodyModel {
 
 /** A vector that starts in the centre of mass. What the body hides of it shines through faintly. */
 class Arrow {
-  constructor(radius, name) {
+  constructor(radius, name, thickness, reachAtStart) {
     this.radius = radius;
+    this.reachAtStart = reachAtStart;
     this.root = new THREE.Group();
     this.shafts = [];
     this.heads = [];
@@ -134,25 +145,25 @@ class Arrow {
       new THREE.MeshBasicMaterial(),
       new THREE.MeshBasicMaterial({depthFunc: THREE.GreaterDepth, depthWrite: false, transparent: true, opacity: 0.35}),
     ];
-    const shaft = new THREE.CylinderGeometry(0.03, 0.03, 1, 12).translate(0, 0.5, 0);
-    const head = new THREE.ConeGeometry(0.09, 0.28, 16).translate(0, -0.14, 0);
+    const shaft = new THREE.CylinderGeometry(thickness, thickness, 1, 12).translate(0, 0.5, 0);
+    const head = new THREE.ConeGeometry(2.6 * thickness, 0.26, 16).translate(0, -0.14, 0);
     for (const material of this.materials) {
       this.shafts.push(new THREE.Mesh(shaft, material));
       this.heads.push(new THREE.Mesh(head, material));
     }
     this.turned = new THREE.Group();
     this.turned.add(...this.shafts, ...this.heads);
-    this.letter = new Letter(name, 0.4 * radius);
+    this.letter = new Letter(name, 0.3 * radius);
     this.root.add(this.turned, this.letter.sprite);
   }
 
-  /** The longest at the start reaches a bit out of the body; greater ones are cut where the view ends. */
+  /** The longest at the start reaches out of the body; a much greater one ends with the view. */
   point(position, vector, longest, scale) {
     const size = length(vector);
     this.root.visible = Number.isFinite(size) && size > 0 && longest > 0;
     if (!this.root.visible) return;
     const direction = new THREE.Vector3(...vector).divideScalar(size);
-    const reach = Math.min(2.2, Math.max(0.35, 1.55 * size / longest));
+    const reach = this.reachAtStart * Math.min(1.2, Math.max(0.3, size / longest));
     this.root.position.set(...position);
     this.turned.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
     this.turned.scale.setScalar(scale * this.radius);

@@ -17,6 +17,7 @@ class Contender {
     this.figures = json.figures;
     this.visible = true;
     this.count = json.series.count;
+    this.stride = json.series.stride;  // steps that a record stands for
     this.series = {};
     for (const [key, value] of Object.entries(json.series)) {
       if (typeof value === "string") this.series[key] = decodeFloats(value);

@@ -31,6 +31,7 @@ function start() {
     get index() { return playback.index; },
     get last() { return playback.last; },
     get t_s() { return playback.t_s; },
+    get end_s() { return playback.times[playback.last]; },
     get playing() { return playback.playing; },
     get speed() { return playback.speed; },
   };

@@ -4,7 +4,7 @@
 // darker or lighter where they would be lost on the page's background. Beyond eight, lines are dashed.
 
 const kColours = {
-  light: ["#0072b2", "#d55e00", "#009e73", "#cc5fa0", "#3ba3e0", "#d98e00", "#000000", "#998a00"],
+  light: ["#0072b2", "#d55e00", "#009e73", "#cc5fa0", "#3ba3e0", "#d98e00", "#3c4147", "#998a00"],
   dark: ["#3d9be0", "#f07a28", "#12b886", "#e08fc0", "#8fd0f7", "#f0b030", "#ffffff", "#f0e442"],
 };
 const kDashes = [[], [7, 4], [2, 3]];

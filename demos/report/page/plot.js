@@ -96,7 +96,7 @@ class Plot {
         y: {distr: this.isLog ? 3 : 1, range: () => this.range},
       },
       axes: [
-        {...axis, label: "t, s", labelSize: 18, size: 30, values: (_, splits) => linearTexts(splits)},
+        {...axis, label: "t, s", labelSize: 18, size: 26, values: (_, splits) => linearTexts(splits)},
         {...axis, label: this.subject.axis, labelSize: 18, size: 58,
           ...(this.isLog ? {splits: (u, _, low, high) => logSplits(low, high, u.bbox.height / uPlot.pxRatio)} : {}),
           filter: (_, splits) => splits,
@@ -118,7 +118,7 @@ class Plot {
   }
 
   size() {
-    return {width: this.chart.clientWidth, height: Math.round(Math.min(270, Math.max(210, 0.5 * this.chart.clientWidth)))};
+    return {width: this.chart.clientWidth, height: Math.round(Math.min(280, Math.max(240, 0.5 * this.chart.clientWidth)))};
   }
 
   resize() {
@@ -133,6 +133,7 @@ class Plot {
     const {ctx, bbox} = u;
     ctx.save();
     ctx.lineWidth = 2 * uPlot.pxRatio;
+    ctx.setLineDash([]);  // the last line's may be left
     contenders.filter(contender => contender.isFast).forEach((contender, lane) => {
       const y = bbox.top + (2 + 4 * lane) * uPlot.pxRatio;
       ctx.strokeStyle = palette.colour(contender.number);
@@ -166,7 +167,7 @@ class Plot {
     const notes = [];
     const isAtFloor = (line, number) => this.isShown(number) && line.includes(kLogFloor);
     if (this.subject.magnitude && this.lines.some(isAtFloor)) {
-      notes.push(`0, which has no logarithm, is drawn at ${powerOfTen(-17)}.`);
+      notes.push(`0, which has no logarithm, and what is smaller than ${powerOfTen(-17)} is drawn there.`);
     }
     if (this.cut) {
       const isBeyond = line => line.some(value => typeof value === "number" && (value < this.cut[0] || value > this.cut[1]));

@@ -16,8 +16,8 @@ function logRange(low, high) {
 function logSplits(low, high, height) {
   const from = Math.round(Math.log10(low));
   const to = Math.round(Math.log10(high));
-  const most = Math.max(2, Math.floor(height / 26));
-  const every = [1, 2, 3, 4, 5, 10, 20, 50].find(decades => (to - from) / decades <= most) || 100;
+  const most = Math.max(2, Math.floor(height / 20));
+  const every = [1, 2, 3, 4, 5, 6, 8, 10, 20, 50].find(decades => (to - from) / decades <= most) || 100;
   const splits = [];
   for (let exponent = every * Math.ceil(from / every); exponent <= to; exponent += every) splits.push(10 ** exponent);
   return splits;
@@ -27,9 +27,9 @@ function logSplits(low, high, height) {
 function linearRange(low, high) {
   if (!(high >= low)) return [0, 1];
   const middle = 0.5 * (low + high);
-  const span = Math.max(high - low, 1e-6 * Math.abs(middle));
-  if (high - low < span) return middle === 0 ? [-1, 1] : [middle - 0.02 * Math.abs(middle), middle + 0.02 * Math.abs(middle)];
-  return [low - 0.06 * span, high + 0.06 * span];
+  const isFlat = high - low <= 1e-6 * Math.abs(middle);
+  const room = isFlat ? 0.02 * Math.abs(middle) || 1 : 0.06 * (high - low);
+  return [low - room, high + room];
 }
 
 /** The least and the greatest of all lists; null in them is skipped. */

@@ -6,6 +6,10 @@ class Plots {
   constructor(report, playback) {
     this.plots = kSubjects.map(subject => new Plot(report, playback, subject));
     byId("plots").append(...this.plots.map(plot => plot.figure));
+    const stride = Math.max(...report.contenders.map(contender => contender.stride));
+    if (stride > 1) {
+      byId("stride-note").textContent = `Each point stands for ${stride} steps, of which it shows the largest error.`;
+    }
     byId("fast-note").hidden = !report.contenders.some(contender => contender.isFast);
     this.rebuild();
     playback.addEventListener("time", oncePerFrame(() => this.plots.forEach(plot => plot.showTime())));

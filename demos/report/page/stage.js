@@ -57,7 +57,7 @@ class Stage {
     byId("follow").checked = this.isFar;
     byId("follow-label").hidden = reach < 0.01 * this.model.radius;
     // Arrows and letters reach beyond the body.
-    this.reach = {fixed: Math.min(reach, 30 * this.model.radius) + 1.9 * this.model.radius, followed: 1.9 * this.model.radius};
+    this.reach = {fixed: Math.min(reach, 30 * this.model.radius) + 1.8 * this.model.radius, followed: 1.8 * this.model.radius};
   }
 
   resize() {
@@ -123,10 +123,10 @@ class View {
       "fast: |\u03c9| dt > \u03c0/4");
     this.swollen = element("span", {class: "badge"});
     this.error = element("span", {class: "readout"});
-    this.over = element("p", {class: "over"});
+    this.over = element("span", {class: "badge over"});
     this.figure = element("figure", {class: "viewport"},
       element("figcaption", {}, palette.swatch(contender.number), name),
-      this.window, element("div", {class: "badges"}, this.fast, this.swollen), this.over, this.error);
+      this.window, element("div", {class: "badges"}, this.over, this.fast, this.swollen), this.error);
   }
 
   show(record, isOver) {

@@ -5,8 +5,8 @@
 class Surroundings {
   constructor(report, radius) {
     this.root = new THREE.Group();
-    this.hemisphere = new THREE.HemisphereLight(0xffffff, 0x9098a0, 0.75);
-    this.lamp = new THREE.DirectionalLight(0xffffff, 0.55);
+    this.hemisphere = new THREE.HemisphereLight(0xffffff, 0xa0a0a0, 0.8);
+    this.lamp = new THREE.DirectionalLight(0xffffff, 0.35);
     this.root.add(this.hemisphere, this.lamp, this.lamp.target);
     this.up = new THREE.Vector3(0, 0, 1);
     if (report.ground) this.addGround(report.ground, radius);
@@ -18,20 +18,30 @@ class Surroundings {
     this.up.set(...ground.normal).normalize();
     this.height = ground.height;
     this.cell = radius;
-    const size = 60 * this.cell;
+    const cells = 40;
+    const size = cells * this.cell;
     this.ground = new THREE.Group();
     this.ground.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), this.up);
     this.plate = new THREE.MeshBasicMaterial({transparent: true, opacity: 0.25, side: THREE.DoubleSide, depthWrite: false});
     const plate = new THREE.Mesh(new THREE.PlaneGeometry(size, size), this.plate);
     this.lines = new THREE.LineBasicMaterial({transparent: true, opacity: 0.6});
-    const points = [];
-    for (let i = -30; i <= 30; ++i) {
-      const at = i * this.cell;
-      points.push(new THREE.Vector3(at, -size / 2, 0), new THREE.Vector3(at, size / 2, 0));
-      points.push(new THREE.Vector3(-size / 2, at, 0), new THREE.Vector3(size / 2, at, 0));
-    }
-    this.ground.add(plate, new THREE.LineSegments(new THREE.BufferGeometry().setFromPoints(points), this.lines));
+    this.ground.add(plate, new THREE.LineSegments(this.grid(cells), this.lines));
     this.root.add(this.ground);
+  }
+
+  /** Cell by cell: not every renderer draws a line that begins far behind the reader. */
+  grid(cells) {
+    const points = [];
+    const add = (x, y) => points.push(new THREE.Vector3((x - cells / 2) * this.cell, (y - cells / 2) * this.cell, 0));
+    for (let line = 0; line <= cells; ++line) {
+      for (let i = 0; i < cells; ++i) {
+        add(line, i);
+        add(line, i + 1);
+        add(i, line);
+        add(i + 1, line);
+      }
+    }
+    return new THREE.BufferGeometry().setFromPoints(points);
   }
 
   /** The ground has no end: its grid goes along with what is looked at, by whole cells. */
