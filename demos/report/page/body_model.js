@@ -92,8 +92,11 @@ class BodyModel {
     this.solid.add(dot);
   }
 
-  /** Takes the contender's pose. Returns by what the view has to step back to hold a swollen body; null: no pose. */
-  pose(contender, record, isOver) {
+  /**
+   * Takes the contender's pose, with letters so many times their size. Returns by what the view has to step back to hold
+   * a swollen body; null: no pose.
+   */
+  pose(contender, record, isOver, letterScale) {
     const R = contender.series.R_WB.subarray(9 * record, 9 * record + 9);
     const position = contender.vector("position_W", record);
     if (![...R, ...position].every(Number.isFinite)) return null;
@@ -111,11 +114,12 @@ class BodyModel {
 
     for (const letter of Object.values(this.letters)) {
       letter.sprite.position.copy(letter.tip).applyMatrix4(this.solid.matrix);
-      letter.resize(stepBack);
+      letter.resize(letterScale * stepBack);
     }
-    const arrow = (each, key, longest) => each.point(position, contender.vector(key, record), longest, stepBack);
-    arrow(this.omega, "omega_W", this.longest.omega);
-    arrow(this.momentum, "L_W", this.longest.momentum);
+    for (const [arrow, key, longest] of [
+      [this.omega, "omega_W", this.longest.omega], [this.momentum, "L_W", this.longest.momentum]]) {
+      arrow.point(position, contender.vector(key, record), longest, stepBack, letterScale);
+    }
     return stepBack;
   }
 
@@ -158,7 +162,7 @@ class Arrow {
   }
 
   /** The longest at the start reaches out of the body; a much greater one ends with the view. */
-  point(position, vector, longest, scale) {
+  point(position, vector, longest, scale, letterScale) {
     const size = length(vector);
     this.root.visible = Number.isFinite(size) && size > 0 && longest > 0;
     if (!this.root.visible) return;
@@ -170,7 +174,7 @@ class Arrow {
     for (const shaft of this.shafts) shaft.scale.set(1, reach - 0.2, 1);
     for (const head of this.heads) head.position.y = reach;
     this.letter.sprite.position.copy(direction).multiplyScalar((reach + 0.2) * scale * this.radius);
-    this.letter.resize(scale);
+    this.letter.resize(letterScale * scale);
   }
 
   paint(colour) {

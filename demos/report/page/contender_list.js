@@ -12,7 +12,7 @@ class ContenderList extends EventTarget {
   }
 
   addBox(contender) {
-    const box = element("input", {type: "checkbox"});
+    const box = element("input", {type: "checkbox", autocomplete: "off"});
     box.checked = true;
     box.addEventListener("change", () => {
       contender.visible = box.checked;

@@ -42,7 +42,8 @@ class Plot {
     if (this.chart.clientWidth === 0) return;
     if (this.uplot) this.uplot.destroy();
     this.uplot = null;
-    this.lines = this.subject.byAxis ? axisLines(this.report, this.contender) : contenderLines(this.report, this.subject);
+    this.lines = this.subject.byAxis ? axisLines(this.report, this.contender)
+      : contenderLines(this.report, this.subject);
     this.legends = this.lines.map((_, number) => this.legendEntry(number));
     this.legend.replaceChildren(...this.legends.map(entry => entry.item));
     const isEmpty = this.lines.every(line => line.every(value => value === null || value === undefined));
@@ -118,7 +119,8 @@ class Plot {
   }
 
   size() {
-    return {width: this.chart.clientWidth, height: Math.round(Math.min(280, Math.max(240, 0.5 * this.chart.clientWidth)))};
+    const width = this.chart.clientWidth;
+    return {width, height: Math.round(Math.min(280, Math.max(240, 0.5 * width)))};
   }
 
   resize() {
@@ -152,7 +154,10 @@ class Plot {
   /** Pressing in the plot, and dragging on, moves the time. */
   listen() {
     const over = this.uplot.over;
-    const seek = event => this.playback.seekTime(this.uplot.posToVal(event.clientX - over.getBoundingClientRect().left, "x"));
+    const seek = event => {
+      const left = event.clientX - over.getBoundingClientRect().left;
+      this.playback.seekTime(this.uplot.posToVal(left, "x"));
+    };
     over.addEventListener("pointerdown", event => {
       if (event.button !== 0) return;
       over.setPointerCapture(event.pointerId);
@@ -170,10 +175,11 @@ class Plot {
       notes.push(`0, which has no logarithm, and what is smaller than ${powerOfTen(-17)} is drawn there.`);
     }
     if (this.cut) {
-      const isBeyond = line => line.some(value => typeof value === "number" && (value < this.cut[0] || value > this.cut[1]));
-      const names = this.subject.byAxis ? [this.contender.name]
-        : this.report.contenders.filter(({number}) => this.isShown(number) && isBeyond(this.lines[number])).map(each => each.name);
-      notes.push(`The axis is cut; beyond it: ${names.join(", ")}.`);
+      const [low, high] = this.cut;
+      const isBeyond = line => line.some(value => typeof value === "number" && (value < low || value > high));
+      const beyond = this.subject.byAxis ? [this.contender]
+        : this.report.visibleContenders.filter(({number}) => isBeyond(this.lines[number]));
+      notes.push(`The axis is cut; beyond it: ${beyond.map(({name}) => name).join(", ")}.`);
     }
     if (this.cutTool) this.cutTool.hidden = !this.isCut;
     this.note.textContent = notes.join(" ");

@@ -57,7 +57,8 @@ class Stage {
     byId("follow").checked = this.isFar;
     byId("follow-label").hidden = reach < 0.01 * this.model.radius;
     // Arrows and letters reach beyond the body.
-    this.reach = {fixed: Math.min(reach, 30 * this.model.radius) + 1.8 * this.model.radius, followed: 1.8 * this.model.radius};
+    const followed = 1.8 * this.model.radius;
+    this.reach = {followed, fixed: followed + Math.min(reach, 30 * this.model.radius)};
   }
 
   resize() {
@@ -99,11 +100,12 @@ class Stage {
   }
 
   drawView(contender, record, isOver, aspect) {
-    const stepBack = this.model.pose(contender, record, isOver);
-    if (stepBack === null) return;
     const isFollowed = byId("follow").checked;
+    const reachAtOnce = isFollowed ? this.reach.followed : this.reach.fixed;
+    const stepBack = this.model.pose(contender, record, isOver, Math.min(2, reachAtOnce / this.reach.followed));
+    if (stepBack === null) return;
     const target = isFollowed ? new THREE.Vector3(...contender.vector("position_W", record)) : this.centre;
-    const reach = stepBack * (isFollowed ? this.reach.followed : this.reach.fixed) / this.orbit.zoom;
+    const reach = stepBack * reachAtOnce / this.orbit.zoom;
     const halfAngle = Math.atan(Math.tan(kFieldOfView_deg * Math.PI / 360) * Math.min(1, aspect));
     this.orbit.place(this.camera, target, reach / Math.sin(halfAngle));
     this.camera.aspect = aspect;
@@ -119,7 +121,7 @@ class View {
     this.contender = contender;
     const name = element("span", {class: "name", title: contender.name}, contender.name);
     this.window = element("div", {class: "window"});
-    this.fast = element("span", {class: "badge fast", title: "Bullet turns a body less than the velocity it reports here"},
+    this.fast = element("span", {class: "badge fast", title: "Here Bullet turns a body less than the velocity it reports"},
       "fast: |\u03c9| dt > \u03c0/4");
     this.swollen = element("span", {class: "badge"});
     this.error = element("span", {class: "readout"});

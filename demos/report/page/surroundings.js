@@ -22,7 +22,8 @@ class Surroundings {
     const size = cells * this.cell;
     this.ground = new THREE.Group();
     this.ground.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), this.up);
-    this.plate = new THREE.MeshBasicMaterial({transparent: true, opacity: 0.25, side: THREE.DoubleSide, depthWrite: false});
+    this.plate = new THREE.MeshBasicMaterial({
+      transparent: true, opacity: 0.25, side: THREE.DoubleSide, depthWrite: false});
     const plate = new THREE.Mesh(new THREE.PlaneGeometry(size, size), this.plate);
     this.lines = new THREE.LineBasicMaterial({transparent: true, opacity: 0.6});
     this.ground.add(plate, new THREE.LineSegments(this.grid(cells), this.lines));

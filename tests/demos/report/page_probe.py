@@ -45,10 +45,12 @@ class PageProbe:
         return self.run("return JSON.parse(document.getElementById('report-data').textContent)[arguments[0]];", key)
 
     def text(self, selector):
-        return self.run("const e = document.querySelector(arguments[0]); return e ? e.textContent : 'is missing';", selector)
+        return self.run("const e = document.querySelector(arguments[0]);"
+                        "return e ? e.textContent : 'is missing';", selector)
 
     def is_hidden(self, selector):
-        return self.run("const e = document.querySelector(arguments[0]); return !e || e.getClientRects().length === 0;", selector)
+        return self.run("const e = document.querySelector(arguments[0]);"
+                        "return !e || e.getClientRects().length === 0;", selector)
 
     def is_help_open(self):
         return self.run("return document.getElementById('help-dialog').open;")
@@ -74,8 +76,8 @@ class PageProbe:
         return self.of_report("speed")
 
     def seek(self, index):
-        self.run("const s = document.getElementById('scrubber'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));",
-                 index)
+        self.run("const slider = document.getElementById('scrubber'); slider.value = arguments[0];"
+                 "slider.dispatchEvent(new Event('input'));", index)
         self.settle()
 
     # Plots.
@@ -98,19 +100,19 @@ class PageProbe:
     # The views in 3D.
 
     def stage_picture(self):
-        """The pixels of the bodies alone, without what stands over them."""
+        """A PNG of the bodies alone, without what stands over them: the same bytes for the same picture."""
         self.run("document.getElementById('stage').scrollIntoView();"
                  "const style = document.createElement('style'); style.id = 'probe';"
                  "style.textContent = '.badges, .readout, #transport, #contenders { visibility: hidden !important }"
                  " .window { background: none !important }'; document.head.append(style);")
         self.settle()
-        picture = png_pixels(self.browser.screenshot("#stage-canvas"))
+        picture = self.browser.screenshot("#stage-canvas")
         self.run("document.getElementById('probe').remove();")
         return picture
 
     @staticmethod
     def colour_count(picture):
-        channels, pixels = picture
+        channels, pixels = png_pixels(picture)
         return len({pixels[i:i + channels] for i in range(0, len(pixels), channels)})
 
     # What the browser has to say.

@@ -133,6 +133,7 @@ class Browser:
 
     def whole_page(self):
         """The page in all its height, beyond the window."""
+        self.run("window.scrollTo(0, 0);")
         width, height = self.run("return [innerWidth, document.documentElement.scrollHeight];")
         picture = self.devtools("Page.captureScreenshot", format="png", captureBeyondViewport=True,
                                 clip={"x": 0, "y": 0, "width": width, "height": height, "scale": 1})
