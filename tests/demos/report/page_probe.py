@@ -103,17 +103,29 @@ class PageProbe:
         """A PNG of the bodies alone, without what stands over them: the same bytes for the same picture."""
         self.run("document.getElementById('stage').scrollIntoView();"
                  "const style = document.createElement('style'); style.id = 'probe';"
-                 "style.textContent = '.badges, .readout, #transport, #contenders { visibility: hidden !important }"
-                 " .window { background: none !important }'; document.head.append(style);")
+                 "style.textContent = '#viewports, #viewports *, #transport, #transport *, #contenders, #contenders *"
+                 " { visibility: hidden !important }'; document.head.append(style);")
         self.settle()
         picture = self.browser.screenshot("#stage-canvas")
         self.run("document.getElementById('probe').remove();")
         return picture
 
-    @staticmethod
-    def colour_count(picture):
-        channels, pixels = png_pixels(picture)
-        return len({pixels[i:i + channels] for i in range(0, len(pixels), channels)})
+    def view_colours(self, picture):
+        """How many colours the picture has in each of the views."""
+        width, channels, pixels = png_pixels(picture)
+        windows = self.run("const all = document.getElementById('stage-canvas').getBoundingClientRect();"
+                           "return Array.from(document.querySelectorAll('.window'), window => {"
+                           "const box = window.getBoundingClientRect();"
+                           "return [box.left - all.left, box.top - all.top, box.width, box.height].map(Math.round); });")
+        counts = []
+        for left, top, columns, rows in windows:
+            colours = set()
+            for y in range(top, top + rows):
+                start = (y * width + left) * channels
+                line = pixels[start:start + columns * channels]
+                colours.update(line[i:i + channels] for i in range(0, len(line), channels))
+            counts.append(len(colours))
+        return counts
 
     # What the browser has to say.
 
@@ -137,7 +149,7 @@ class PageProbe:
 
 
 def png_pixels(png):
-    """The number of channels, and all pixels. Knows 8 bits per channel without interlacing: what browsers write."""
+    """Width, number of channels, and all pixels. Knows 8 bits per channel without interlacing: what browsers write."""
     position, compressed = 8, b""
     while position < len(png):
         length, kind = struct.unpack(">I4s", png[position:position + 8])
@@ -154,7 +166,7 @@ def png_pixels(png):
         start = row * (stride + 1)
         above = unfiltered(raw[start], raw[start + 1:start + 1 + stride], above, channels)
         rows.append(bytes(above))
-    return channels, b"".join(rows)
+    return width, channels, b"".join(rows)
 
 
 def unfiltered(kind, line, above, channels):

@@ -16,8 +16,8 @@ ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the protocol's name for a ref
 FLAGS = [
     "--headless=new", "--no-sandbox", "--no-first-run", "--disable-quic", "--disable-sync",
     "--disable-background-networking", "--disable-component-update", "--hide-scrollbars",
-    # WebGL without a graphics card.
-    "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+    # WebGL without a graphics card. Not with --disable-gpu: large canvases then come out in part.
+    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
 ]
 
 KEYS = {"Space": " ", "End": "\ue010", "Home": "\ue011", "Left": "\ue012", "Right": "\ue014", "Escape": "\ue00c"}
