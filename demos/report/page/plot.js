@@ -58,7 +58,6 @@ class Plot {
     this.uplot.over.append(this.timeLine);
     this.listen();
     this.showNote();
-    this.showTime();
   }
 
   legendEntry(number) {
@@ -91,7 +90,7 @@ class Plot {
       labelGap: 2, grid: {stroke: ink.grid, width: 1}, ticks: {stroke: ink.grid, width: 1, size: 5}};
     const end = this.report.times[this.playback.last];
     return {
-      ...this.size(), legend: {show: false}, cursor: {show: false}, padding: [8, 14, 0, 0],
+      ...this.size(), legend: {show: false}, cursor: {show: false}, padding: [8 + 4 * this.fastContenders().length, 14, 0, 0],
       scales: {
         x: {time: false, range: () => [0, end > 0 ? end : this.report.scenario.duration]},
         y: {distr: this.isLog ? 3 : 1, range: () => this.range},
@@ -104,7 +103,8 @@ class Plot {
           values: (_, splits) => (this.isLog ? logTexts(splits) : linearTexts(splits))},
       ],
       series: [{}, ...this.lines.map((line, number) => this.seriesOptions(line, number))],
-      hooks: {draw: [u => this.drawFastMarks(u)]},
+      // uPlot knows where a time is only when it has drawn itself, which is after this call.
+      hooks: {draw: [u => this.drawFastMarks(u), () => this.showTime()]},
     };
   }
 
@@ -126,18 +126,21 @@ class Plot {
   resize() {
     if (this.uplot) this.uplot.setSize(this.size());
     else this.rebuild();
-    this.showTime();
   }
 
-  /** Along the upper edge, in a lane for each contender that is fast somewhere. */
+  fastContenders() {
+    const shown = this.subject.byAxis ? [this.contender] : this.report.visibleContenders;
+    return shown.filter(contender => contender.isFast);
+  }
+
+  /** Above the plot, in a lane for each contender that is fast somewhere. */
   drawFastMarks(u) {
-    const contenders = this.subject.byAxis ? [this.contender] : this.report.visibleContenders;
     const {ctx, bbox} = u;
     ctx.save();
     ctx.lineWidth = 2 * uPlot.pxRatio;
     ctx.setLineDash([]);  // the last line's may be left
-    contenders.filter(contender => contender.isFast).forEach((contender, lane) => {
-      const y = bbox.top + (2 + 4 * lane) * uPlot.pxRatio;
+    this.fastContenders().forEach((contender, lane) => {
+      const y = bbox.top - (4 + 4 * lane) * uPlot.pxRatio;
       ctx.strokeStyle = palette.colour(contender.number);
       ctx.beginPath();
       for (const [from, to] of fastStretches(this.report, contender)) {

@@ -120,7 +120,8 @@ def check_playing(checks, browser, probe):
 
 def check_hiding(checks, browser, probe):
     number = min(1, len(probe.data("contenders")) - 1)
-    before = probe.contender_pixels(number)
+    probe.seek(probe.last() // 2 + 1)
+    before, lines = probe.contender_pixels(number), probe.time_lines()
     box = f"#contender-list label:nth-child({number + 1}) input"
     browser.click(box)
     probe.settle()
@@ -130,6 +131,7 @@ def check_hiding(checks, browser, probe):
     checks.expect(after < before, "its line is gone from the plots", f"{before} and then {after} pixels")
     browser.click(box)
     probe.settle()
+    checks.expect(probe.time_lines() == lines, "the time stands", f"{lines} and then {probe.time_lines()}")
     checks.expect(not probe.is_hidden(f"#viewports > :nth-child({number + 1})"), "it can be shown again")
     checks.expect(abs(probe.contender_pixels(number) - before) <= 0.02 * before, "its line is back in the plots")
 
