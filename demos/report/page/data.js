@@ -1,0 +1,99 @@
+"use strict";
+
+// What polhode_compare wrote into the page, decoded; and the times that all contenders share.
+
+/** The numbers of a base64 text: little-endian floats, as every browser's machine has them. */
+function decodeFloats(text) {
+  const bytes = Uint8Array.from(atob(text), character => character.charCodeAt(0));
+  return new Float32Array(bytes.buffer);
+}
+
+/** One contender's records. A NaN among the numbers means that it is not known. */
+class Contender {
+  constructor(json, number) {
+    this.number = number;  // its place, and so its colour
+    this.name = json.name;
+    this.summary = json.summary || "";
+    this.figures = json.figures;
+    this.visible = true;
+    this.count = json.series.count;
+    this.stride = json.series.stride;  // steps that a record stands for
+    this.series = {};
+    for (const [key, value] of Object.entries(json.series)) {
+      if (typeof value === "string") this.series[key] = decodeFloats(value);
+    }
+    this.isFast = this.series.past_cut.some(steps => steps > 0);
+    this.recordAt = null;  // by time index: which record is the last one until then
+  }
+
+  get divergedAt_s() {
+    return this.figures.diverged_at_s ?? null;
+  }
+
+  get lastTime_s() {
+    return this.series.t_s[this.count - 1];
+  }
+
+  /** Whether it has no state at that time any more. */
+  isOver(t_s) {
+    return this.divergedAt_s !== null && t_s > this.lastTime_s;
+  }
+
+  vector(key, record) {
+    return this.series[key].subarray(3 * record, 3 * record + 3);
+  }
+}
+
+/** All that the page shows. */
+class Report {
+  constructor(json) {
+    Object.assign(this, {version: json.polhode_version, precision: json.precision, command: json.command,
+      scenario: json.scenario, inertia_B: json.inertia_B, body: json.body, ground: json.ground || null,
+      steps: json.steps});
+    this.contenders = json.contenders.map((contender, number) => new Contender(contender, number));
+    this.times = this.sharedTimes();
+    for (const contender of this.contenders) contender.recordAt = this.recordsAt(contender);
+  }
+
+  /** The time of every record of any contender, once. A divergence is later than the last record: it is a time, too. */
+  sharedTimes() {
+    const all = this.contenders.flatMap(contender => Array.from(contender.series.t_s));
+    for (const contender of this.contenders) {
+      if (contender.divergedAt_s !== null) all.push(Math.fround(contender.divergedAt_s));
+    }
+    all.sort((a, b) => a - b);
+    // Two contenders may round the same time differently.
+    const same_s = 0.01 * this.scenario.dt;
+    return Float64Array.from(all.filter((t_s, i) => i === 0 || t_s - all[i - 1] > same_s));
+  }
+
+  recordsAt(contender) {
+    const late_s = 0.02 * this.scenario.dt;
+    let record = 0;
+    return Int32Array.from(this.times, t_s => {
+      while (record + 1 < contender.count && contender.series.t_s[record + 1] <= t_s + late_s) ++record;
+      return record;
+    });
+  }
+
+  /** A contender's numbers by time index: undefined between its records, null where nothing is known. */
+  alongTimes(contender, numberOf) {
+    return Array.from(this.times, (t_s, i) => {
+      const record = contender.recordAt[i];
+      if (contender.isOver(t_s)) return null;
+      if (i > 0 && contender.recordAt[i - 1] === record) return undefined;
+      const value = numberOf(record);
+      return Number.isFinite(value) ? value : null;
+    });
+  }
+
+  get visibleContenders() {
+    return this.contenders.filter(contender => contender.visible);
+  }
+}
+
+function readReport() {
+  const text = byId("report-data").textContent;
+  if (text.startsWith("@")) throw new Error("There is no data in this page: it is the template of a report.");
+  return new Report(JSON.parse(text));
+}
