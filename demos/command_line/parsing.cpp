@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iostream>
 #include <stdexcept>
+#include <string_view>
 
 #include "record/output_file.h"
 #include "scenario/number_text.h"
@@ -38,6 +39,16 @@ std::string valid_words(const CLI::App& app) {
   throw std::invalid_argument(option + ": must be " + valid + ", is \"" + text + "\"");
 }
 
+// In quotes where a shell would take the word apart.
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 }  // namespace
 
 bool parse(CLI::App& app, int argument_count, char** arguments) {
@@ -67,11 +78,23 @@ std::int64_t option_whole_number(const std::string& option, const std::string& t
   return static_cast<std::int64_t>(*value);
 }
 
-void check_different_files(const std::optional<std::filesystem::path>& csv,
-                           const std::optional<std::filesystem::path>& json) {
-  if (csv && json && same_file(*csv, *json)) {
-    throw std::invalid_argument("--csv and --json: both are " + csv->string() + "; valid are two files");
+void check_different_files(const std::vector<OutputOption>& outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (std::size_t j = i + 1; j < outputs.size(); ++j) {
+      if (!outputs[i].file || !outputs[j].file || !same_file(*outputs[i].file, *outputs[j].file)) continue;
+      throw std::invalid_argument(outputs[i].option + " and " + outputs[j].option + ": both are " +
+                                  outputs[i].file->string() + "; valid are two files");
+    }
   }
+}
+
+std::string command_line(int argument_count, char** arguments) {
+  std::string line;
+  for (int i = 0; i < argument_count; ++i) {
+    const std::string word = i == 0 ? std::filesystem::path(arguments[0]).filename().string() : arguments[i];
+    line += (i == 0 ? "" : " ") + shell_word(word);
+  }
+  return line;
 }
 
 }  // namespace polhode::demos

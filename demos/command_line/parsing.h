@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scenario/range.h"
 
@@ -20,8 +21,15 @@ bool parse(CLI::App& app, int argument_count, char** arguments);
 double option_number(const std::string& option, const std::string& text, const Range& range);
 std::int64_t option_whole_number(const std::string& option, const std::string& text, const Range& range);
 
-/// @throws std::invalid_argument if both are given and are the same file
-void check_different_files(const std::optional<std::filesystem::path>& csv,
-                           const std::optional<std::filesystem::path>& json);
+struct OutputOption {
+  std::string option;
+  std::optional<std::filesystem::path> file;
+};
+
+/// @throws std::invalid_argument if two of them are given and are the same file
+void check_different_files(const std::vector<OutputOption>& outputs);
+
+/// The command line as one would type it, without the way to the program.
+std::string command_line(int argument_count, char** arguments);
 
 }  // namespace polhode::demos

@@ -8,6 +8,7 @@
 #include "record/csv.h"
 #include "record/output_file.h"
 #include "record/table.h"
+#include "report/report.h"
 #include "scenario/scenario_directory.h"
 #include "world/body_shape.h"
 #include "world/run.h"
@@ -28,17 +29,45 @@ Scenario chosen_scenario(const Options& options) {
   }
 }
 
-void run_all(const std::vector<Contender>& contenders, OutputFile* csv, Comparison& comparison) {
-  const std::int64_t steps = step_count(comparison.scenario.dt, comparison.scenario.duration);
+// What a comparison writes beside the table. Opened before the run, which may be long, to fail early; renamed
+// to their names after it.
+struct Files {
+  std::optional<OutputFile> csv;
+  std::optional<OutputFile> json;
+  std::optional<OutputFile> report;
+
+  explicit Files(const Options& options) {
+    if (options.csv) csv.emplace(*options.csv);
+    if (options.json) json.emplace(*options.json);
+    if (options.report) report.emplace(*options.report);
+    if (csv) csv->write(csv_header());
+  }
+
+  void write(const Report& finished) {
+    if (json) json->write(comparison_json(finished.comparison));
+    if (report) report->write(report_html(finished));
+    for (std::optional<OutputFile>* file : {&csv, &json, &report}) {
+      if (*file) (*file)->commit();
+    }
+  }
+};
+
+void run_all(const std::vector<Contender>& contenders, Files& files, Report& report) {
+  const Scenario& scenario = report.comparison.scenario;
+  const std::int64_t steps = step_count(scenario.dt, scenario.duration);
   ProgressBar progress(steps * static_cast<std::int64_t>(contenders.size()));
   std::int64_t steps_before = 0;
   for (const Contender& contender : contenders) {
+    SeriesRecorder series(*scenario.body.inertia_B, scenario.dt, steps, most_records(contenders.size()));
     const auto observe = [&](const Sample& sample) {
       throw_if_interrupted();
       progress.show(steps_before + sample.step, contender.name);
-      if (csv != nullptr) csv->write(csv_row(contender.name, sample));
+      if (files.csv) files.csv->write(csv_row(contender.name, sample));
+      if (files.report) series.add(sample);
     };
-    comparison.contenders.push_back({contender.name, run(comparison.scenario, contender, observe)});
+    report.comparison.contenders.push_back({contender.name, run(scenario, contender, observe)});
+    report.summaries.push_back(contender.summary);
+    report.series.push_back(series.finish());
     steps_before += steps;
   }
 }
@@ -48,18 +77,12 @@ void run_all(const std::vector<Contender>& contenders, OutputFile* csv, Comparis
 Comparison compare(const Options& options) {
   const std::vector<Contender> contenders =
       options.contenders.empty() ? default_contenders() : find_contenders(options.contenders);
-  Comparison comparison{chosen_scenario(options), bullet_precision(), {}};
-  // Opened before the run, which may be long, to fail early; renamed to their names after it.
-  std::optional<OutputFile> csv;
-  std::optional<OutputFile> json;
-  if (options.csv) csv.emplace(*options.csv);
-  if (options.json) json.emplace(*options.json);
-  if (csv) csv->write(csv_header());
-  run_all(contenders, csv ? &*csv : nullptr, comparison);
-  if (json) json->write(comparison_json(comparison));
-  if (csv) csv->commit();
-  if (json) json->commit();
-  return comparison;
+  const Scenario scenario = chosen_scenario(options);
+  Report report{{scenario, bullet_precision(), {}}, {}, {}, drawn_body(scenario.body), options.command};
+  Files files(options);
+  run_all(contenders, files, report);
+  files.write(report);
+  return report.comparison;
 }
 
 std::string list_text() {

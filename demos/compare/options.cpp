@@ -35,10 +35,13 @@ std::optional<Options> parse_options(int argument_count, char** arguments) {
       ->type_name("SECONDS");
   app.add_option("--csv", options.csv, "Write every step there")->type_name("FILE");
   app.add_option("--json", options.json, "Write the table's figures there")->type_name("FILE");
+  app.add_option("--report", options.report, "Write a page with plots and a 3D playback there")
+      ->type_name("FILE.html");
   if (!parse(app, argument_count, arguments)) return std::nullopt;
   options.dt = seconds("--dt", dt, kDtRange);
   options.duration = seconds("--duration", duration, kDurationRange);
-  check_different_files(options.csv, options.json);
+  check_different_files({{"--csv", options.csv}, {"--json", options.json}, {"--report", options.report}});
+  options.command = command_line(argument_count, arguments);
   return options;
 }
 

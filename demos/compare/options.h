@@ -16,6 +16,8 @@ struct Options {
   std::optional<double> duration;
   std::optional<std::filesystem::path> csv;
   std::optional<std::filesystem::path> json;
+  std::optional<std::filesystem::path> report;
+  std::string command;  ///< the whole command line, as a shell would take it
 };
 
 /// Nothing if the command line asked for --help or --version, which is then printed.

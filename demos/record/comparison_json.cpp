@@ -6,14 +6,10 @@
 
 namespace polhode::demos {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
 
-Json contender_json(const ContenderFigures& contender) {
-  const Figures& figures = contender.figures;
-  return {{"name", contender.contender},
-          {"steps", figures.steps},
+Json figures_json(const Figures& figures) {
+  return {{"steps", figures.steps},
           {"final_energy_error", json_value(figures.final_energy_error)},
           {"worst_energy_error", json_value(figures.worst_energy_error)},
           {"worst_momentum_error", json_value(figures.worst_momentum_error)},
@@ -26,8 +22,6 @@ Json contender_json(const ContenderFigures& contender) {
           {"ns_per_step", figures.ns_per_step}};
 }
 
-}  // namespace
-
 std::string comparison_json(const Comparison& comparison) {
   Json json;
   json["polhode_version"] = kVersion;
@@ -35,7 +29,8 @@ std::string comparison_json(const Comparison& comparison) {
   json["scenario"] = scenario_json(comparison.scenario);
   json["contenders"] = Json::array();
   for (const ContenderFigures& contender : comparison.contenders) {
-    json["contenders"].push_back(contender_json(contender));
+    Json& entry = json["contenders"].emplace_back(Json{{"name", contender.contender}});
+    entry.update(figures_json(contender.figures));
   }
   // A name in a file may hold any bytes; text that is not UTF-8 must not cost the run.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -57,7 +57,7 @@ const std::string kDt = "--dt: must be a finite number between 1e-06 and 1000, i
 const std::string kDuration = "--duration: must be a finite number between 1e-06 and 1e+11, is ";
 const std::string kOptions =
     "valid options are -h,--help, --version, --list, --scenario, --contender, --dt, --duration, --csv, "
-    "--json";
+    "--json, --report";
 const std::string kFile = "valid is a file in an existing, writable directory";
 
 const BadInput kBadInputs[] = {
@@ -105,6 +105,8 @@ const BadInput kBadInputs[] = {
     {"csv_on_a_device", {"--csv", "/dev/null"}, kFile},
     {"csv_without_a_name", {"--csv", ""}, kFile},
     {"json_in_no_directory", {"--csv", "DIR/out.csv", "--json", "DIR/none/out.json"}, kFile},
+    {"report_in_no_directory", {"--csv", "DIR/out.csv", "--report", "DIR/none/out.html"}, kFile},
+    {"report_and_csv_the_same", {"--csv", "DIR/out", "--report", "DIR/out"}, "--csv and --report: both are"},
     {"both_files_the_same", {"--csv", "DIR/out", "--json", "DIR/./out"}, "valid are two files"}};
 
 INSTANTIATE_TEST_SUITE_P(Each, BadInputOfCompare, testing::ValuesIn(kBadInputs),

@@ -118,6 +118,35 @@ TEST(Compare, WritesEveryStepWithAllDigits) {
   }
 }
 
+// What the report's page is given, without the page.
+nlohmann::json report_data(const std::string& html) {
+  const std::string opening = "id=\"report-data\">";
+  const std::size_t start = html.find(opening) + opening.size();
+  return nlohmann::json::parse(html.substr(start, html.find("</script>", start) - start));
+}
+
+TEST(Compare, WritesAReportThatNeedsNothingElse) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory / "a report.html").string();
+  compare({"--contender", "exact", "--contender", "semi_implicit_gyroscopic", "--report", file, "--json",
+           (directory / "out.json").string()});
+  const std::string html = read_file(file);
+  EXPECT_LT(html.size(), 2000000u);  // measured 8.9e5
+  const nlohmann::json data = report_data(html);
+  EXPECT_THAT(data["command"].get<std::string>(), testing::StartsWith("polhode_compare"));
+  EXPECT_THAT(data["command"].get<std::string>(), HasSubstr("--report '" + file + "'"));
+  const nlohmann::json figures = nlohmann::json::parse(read_file(directory / "out.json"));
+  for (std::size_t i = 0; i < 2; ++i) {
+    nlohmann::json expected = figures["contenders"][i];
+    EXPECT_EQ(data["contenders"][i]["name"], expected["name"]);
+    expected.erase("name");
+    EXPECT_EQ(data["contenders"][i]["figures"], expected);
+  }
+  EXPECT_EQ(data["contenders"][0]["series"]["count"], 1001);
+  EXPECT_FALSE(data["contenders"][1]["figures"]["diverged_at_s"].is_null());
+  EXPECT_LT(data["contenders"][1]["series"]["count"], 1001);
+}
+
 TEST(Compare, StartsTheRecordWhereTheScenarioStarts) {
   const TemporaryDirectory directory;
   compare({"--scenario", "tumble", "--duration", "1", "--csv", (directory / "out.csv").string()});

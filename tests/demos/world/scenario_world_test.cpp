@@ -174,6 +174,27 @@ TEST(ScenarioWorld, HandsMaterialsAndIterationsToBullet) {
   EXPECT_EQ(plane.getPlaneConstant(), btScalar(-5));
 }
 
+TEST(DrawnBody, IsTheShapeInTheBodysAxes) {
+  const auto drawn = [](const std::string& shape) {
+    return drawn_body(
+        parse_scenario(R"({"dt": 1, "duration": 1, "shape": )" + shape + "}", "shape.json").body);
+  };
+  EXPECT_EQ(drawn(R"({"type": "sphere", "radius": 0.5})").radius, 0.5);
+  const DrawnBody box = drawn(R"({"type": "box", "half_extents": [1, 2, 3]})");
+  ASSERT_EQ(box.boxes.size(), 1u);
+  EXPECT_EQ(box.boxes[0].half_extents, Vector3(1, 2, 3));
+  EXPECT_TRUE(box.boxes[0].at_B.isZero(0.0));
+  // A dumb-bell along x, of which the left end is three times as heavy.
+  const DrawnBody bell = drawn(R"({"type": "compound", "parts": [
+      {"half_extents": [0.1, 0.2, 0.3], "at": [-1, 0, 0], "mass": 3},
+      {"half_extents": [0.1, 0.2, 0.3], "at": [1, 0, 0], "mass": 1}]})");
+  ASSERT_EQ(bell.boxes.size(), 2u);
+  EXPECT_NEAR(bell.boxes[0].at_B.norm(), 0.5, 1e-6);  // measured 0
+  EXPECT_NEAR(bell.boxes[1].at_B.norm(), 1.5, 1e-6);
+  EXPECT_NEAR((bell.boxes[0].at_B - bell.boxes[1].at_B).norm(), 2.0, 1e-6);
+  EXPECT_NEAR((bell.boxes[0].half_extents - Vector3(0.1, 0.2, 0.3)).norm(), 0.0, 1e-6);  // measured 1.1e-8
+}
+
 TEST(ScenarioWorld, RefusesAStartThatCannotBeRun) {
   const Scenario fast = parse_scenario(
       R"({"inertia": [1e-9, 1, 1], "impulses": [{"impulse": [0, 0, 1e9], "at": [0, 1, 0]}], "dt": 1, "duration": 1})",

@@ -1,0 +1,22 @@
+# Writes a C++ source that holds a file's bytes.
+#   cmake -Dinput=FILE -Doutput=FILE.cpp -P embed.cmake
+file(READ ${input} bytes HEX)
+string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")
+string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
+file(WRITE ${output} "#include \"report/page_template.h\"
+
+namespace polhode::demos {
+
+namespace {
+
+constexpr unsigned char kBytes[] = {
+${bytes}};
+
+}  // namespace
+
+std::string_view page_template() {
+  return {reinterpret_cast<const char*>(kBytes), sizeof kBytes};
+}
+
+}  // namespace polhode::demos
+")

@@ -1,0 +1,108 @@
+#include "report/report.h"
+
+#include <algorithm>
+
+#include "record/comparison_json.h"
+#include "report/base64.h"
+#include "report/page_template.h"
+#include "scenario/build_info.h"
+#include "scenario/scenario_writer.h"
+
+namespace polhode::demos {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kDataMarker = "@REPORT_DATA@";
+
+Json list(const Vector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+Json body_json(const DrawnBody& body) {
+  if (body.radius) return {{"radius", *body.radius}};
+  Json parts = Json::array();
+  for (const DrawnBox& box : body.boxes) {
+    parts.push_back({{"half_extents", list(box.half_extents)},
+                     {"at", list(box.at_B)},
+                     {"q", {box.q_BP.w(), box.q_BP.x(), box.q_BP.y(), box.q_BP.z()}}});
+  }
+  return {{"parts", parts}};
+}
+
+Json series_json(const Series& series) {
+  return {{"count", series.records()},
+          {"stride", series.stride},
+          {"t_s", base64(series.t_s)},
+          {"energy_J", base64(series.energy_J)},
+          {"energy_x_J", base64(series.energy_x_J)},
+          {"energy_y_J", base64(series.energy_y_J)},
+          {"energy_z_J", base64(series.energy_z_J)},
+          {"energy_error", base64(series.energy_error)},
+          {"momentum_error", base64(series.momentum_error)},
+          {"momentum_angle_rad", base64(series.momentum_angle_rad)},
+          {"det_R", base64(series.det_R)},
+          {"attitude_error_rad", base64(series.attitude_error_rad)},
+          {"past_cut", base64(series.past_cut)},
+          {"R_WB", base64(series.R_WB)},
+          {"position_W", base64(series.position_W)},
+          {"omega_W", base64(series.omega_W)},
+          {"L_W", base64(series.L_W)}};
+}
+
+// So that no text in it can end the script element that it stands in.
+std::string without_tags(const std::string& json) {
+  std::string result;
+  for (const char c : json) {
+    if (c == '<') {
+      result += "\\u003c";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::size_t most_records(std::size_t contenders) {
+  constexpr std::size_t kMostInAll = 6500;  // of some 160 bytes each
+  constexpr std::size_t kMost = 1000;       // more than a screen has columns for
+  return std::min(kMost, kMostInAll / std::max<std::size_t>(1, contenders));
+}
+
+std::string report_json(const Report& report) {
+  const Comparison& comparison = report.comparison;
+  const Scenario& scenario = comparison.scenario;
+  Json json;
+  json["polhode_version"] = kVersion;
+  json["precision"] = comparison.precision;
+  json["command"] = report.command;
+  json["scenario"] = scenario_json(scenario);
+  json["inertia_B"] = list(scenario.body.inertia_B.value());
+  json["body"] = body_json(report.body);
+  if (scenario.ground) {
+    json["ground"] = {{"height", scenario.ground->height}, {"normal", list(scenario.ground->normal_W)}};
+  }
+  json["steps"] = step_count(scenario.dt, scenario.duration);
+  json["contenders"] = Json::array();
+  for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
+    json["contenders"].push_back({{"name", comparison.contenders[i].contender},
+                                  {"summary", report.summaries[i]},
+                                  {"figures", figures_json(comparison.contenders[i].figures)},
+                                  {"series", series_json(report.series[i])}});
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string report_html(const Report& report) {
+  const std::string_view page = page_template();
+  const std::size_t marker = page.find(kDataMarker);
+  std::string html(page.substr(0, marker));
+  html += without_tags(report_json(report));
+  html += page.substr(marker + kDataMarker.size());
+  return html;
+}
+
+}  // namespace polhode::demos
