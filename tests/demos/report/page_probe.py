@@ -104,7 +104,8 @@ class PageProbe:
         self.run("document.getElementById('stage').scrollIntoView();"
                  "const style = document.createElement('style'); style.id = 'probe';"
                  "style.textContent = '#viewports, #viewports *, #transport, #transport *, #contenders, #contenders *"
-                 " { visibility: hidden !important }'; document.head.append(style);")
+                 " { visibility: hidden !important } body { background: gray !important }';"
+                 "document.head.append(style);")
         self.settle()
         picture = self.browser.screenshot("#stage-canvas")
         self.run("document.getElementById('probe').remove();")
