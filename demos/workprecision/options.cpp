@@ -78,7 +78,9 @@ class Subcommand {
   void outputs(const std::string& what, Outputs& outputs) {
     app_.add_option("--csv", outputs.csv, "Write " + what + " there")->type_name("FILE");
     app_.add_option("--json", outputs.json, "Write " + what + " there")->type_name("FILE");
-    checks_.emplace_back([&outputs] { check_different_files({{"--csv", outputs.csv}, {"--json", outputs.json}}); });
+    checks_.emplace_back([&outputs] {
+      check_different_files({{"--csv", outputs.csv}, {"--json", outputs.json}});
+    });
   }
 
   void read() {

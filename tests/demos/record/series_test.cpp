@@ -8,9 +8,9 @@ namespace polhode::demos {
 namespace {
 
 constexpr double kDt = 0.1;
-const Vector3 kInertia_B(1, 2, 4);
+const Vector3 kInertia(1, 2, 4);
 
-// A spin of so many rad/s about the body's x axis, of kInertia_B.
+// A spin of so many rad/s about the body's x axis, of kInertia.
 Sample sample_at(std::int64_t step, double speed = 2.0) {
   Sample sample;
   sample.step = step;
@@ -23,7 +23,7 @@ Sample sample_at(std::int64_t step, double speed = 2.0) {
 }
 
 Series recorded(std::int64_t steps, std::size_t most_records, std::int64_t last_step) {
-  SeriesRecorder recorder(kInertia_B, kDt, steps, most_records);
+  SeriesRecorder recorder(kInertia, kDt, steps, most_records);
   for (std::int64_t step = 0; step <= last_step; ++step) recorder.add(sample_at(step));
   return recorder.finish();
 }
@@ -57,7 +57,7 @@ TEST(Series, EndsWhereARunDiverged) {
 }
 
 TEST(Series, LosesNoPeakOfAnError) {
-  SeriesRecorder recorder(kInertia_B, kDt, 100, 10);
+  SeriesRecorder recorder(kInertia, kDt, 100, 10);
   for (std::int64_t step = 0; step <= 100; ++step) {
     Sample sample = sample_at(step);
     if (step == 34) {
@@ -78,12 +78,12 @@ TEST(Series, LosesNoPeakOfAnError) {
 }
 
 TEST(Series, SplitsTheRotationalEnergyByTheBodysAxes) {
-  SeriesRecorder recorder(kInertia_B, kDt, 1, 10);
+  SeriesRecorder recorder(kInertia, kDt, 1, 10);
   Sample sample = sample_at(0);
   sample.state.R_WB = 1.5 * Quaternion(1, 2, 3, 4).normalized().toRotationMatrix();  // swollen, too
   sample.state.L_W = {3, -1, 2};
   sample.state.omega_W =
-      sample.state.R_WB * (sample.state.R_WB.transpose() * sample.state.L_W).cwiseQuotient(kInertia_B);
+      sample.state.R_WB * (sample.state.R_WB.transpose() * sample.state.L_W).cwiseQuotient(kInertia);
   recorder.add(sample);
   const Series series = recorder.finish();
   // measured 0 and 6e-8 of 6.9
@@ -93,14 +93,14 @@ TEST(Series, SplitsTheRotationalEnergyByTheBodysAxes) {
 }
 
 TEST(Series, CountsStepsPastBulletsCutByStretches) {
-  SeriesRecorder recorder(kInertia_B, kDt, 20, 2);
+  SeriesRecorder recorder(kInertia, kDt, 20, 2);
   for (std::int64_t step = 0; step <= 20; ++step) recorder.add(sample_at(step, step % 4 == 0 ? 7.86 : 7.85));
   // pi/4 in 0.1 s is 7.854 rad/s; the start does not count
   EXPECT_EQ(recorder.finish().past_cut, (std::vector<float>{0.0F, 2.0F, 3.0F}));
 }
 
 TEST(Series, SaysWhatIsNotKnown) {
-  SeriesRecorder recorder(kInertia_B, kDt, 2, 10);
+  SeriesRecorder recorder(kInertia, kDt, 2, 10);
   Sample at_rest = sample_at(0, 0.0);
   at_rest.attitude_error_rad = std::nullopt;
   recorder.add(at_rest);

@@ -55,7 +55,7 @@ Report report_of(std::size_t contenders, std::int64_t steps) {
     for (std::int64_t step = 0; step <= steps; ++step) recorder.add(sample_at(step));
     report.series.push_back(recorder.finish());
     report.comparison.contenders.push_back({"contender_" + std::to_string(i), {}});
-    report.summaries.push_back("what it does <b>");
+    report.summaries.emplace_back("what it does <b>");
   }
   return report;
 }
