@@ -20,9 +20,11 @@ uniform mat4 view_projection;
 uniform mat3 normal_matrix;
 out vec3 normal_W;
 out vec3 position_W;
+out vec3 position_M;
 void main() {
   vec4 world = model * vec4(position, 1.0);
   position_W = world.xyz;
+  position_M = position;
   normal_W = normal_matrix * normal;
   gl_Position = view_projection * world;
 })";
@@ -30,6 +32,8 @@ void main() {
 constexpr char kFragmentShader[] = R"(#version 330 core
 in vec3 normal_W;
 in vec3 position_W;
+in vec3 position_M;
+uniform bool has_octants;
 uniform vec3 camera_W;
 uniform vec4 color;
 uniform bool is_shaded;
@@ -43,6 +47,7 @@ void main() {
     vec3 to_lamp = normalize(to_camera + vec3(0.25, -0.35, 0.7));
     light = 0.5 + 0.55 * max(dot(n, to_lamp), 0.0);
   }
+  if (has_octants && position_M.x * position_M.y * position_M.z < 0.0) light *= 0.7;
   result = vec4(min(color.rgb * light, vec3(1.0)), color.a);
 })";
 
@@ -134,6 +139,9 @@ void Renderer::draw(Mesh mesh, const Matrix4f& model_W, Color color, float opaci
   glUniformMatrix4fv(glGetUniformLocation(program_, "model"), 1, GL_FALSE, model_W.data());
   glUniformMatrix3fv(glGetUniformLocation(program_, "normal_matrix"), 1, GL_FALSE, normal_matrix.data());
   set_color(color, opacity, true);
+  // Else a ball would not be seen to turn.
+  const bool has_octants = mesh == Mesh::ball && opacity == 1.0f;
+  glUniform1i(glGetUniformLocation(program_, "has_octants"), has_octants ? 1 : 0);
   glDepthMask(opacity < 1.0f ? GL_FALSE : GL_TRUE);
   glBindVertexArray(buffer.array);
   glDrawArrays(GL_TRIANGLES, 0, buffer.count);
@@ -152,6 +160,7 @@ void Renderer::draw_lines(const std::vector<Eigen::Vector3f>& points_W, Color co
   const Matrix4f identity = Matrix4f::Identity();
   glUniformMatrix4fv(glGetUniformLocation(program_, "model"), 1, GL_FALSE, identity.data());
   set_color(color, 1.0f, false);
+  glUniform1i(glGetUniformLocation(program_, "has_octants"), 0);
   glBindVertexArray(lines_.array);
   glBindBuffer(GL_ARRAY_BUFFER, lines_.vertices);
   upload(points_W.data(), points_W.size() * sizeof(Eigen::Vector3f), GL_STREAM_DRAW);

@@ -97,7 +97,7 @@ void draw_changes(Session& session, ViewState& view) {
   ImGui::TextUnformatted("time step, s");
   ImGui::SetNextItemWidth(-1.0f);
   ImGui::InputDouble("##dt", &view.edited.dt, 0.0, 0.0, "%.6g");
-  input_vector("moments of inertia about body axes, kg m^2", view.edited.inertia_B);
+  input_vector("moments of inertia, kg m^2", view.edited.inertia_B);
   input_vector("angular velocity at the start, rad/s", view.edited.omega_W);
   if (ImGui::Button("Apply and start over")) {
     attempt(session, [&] {

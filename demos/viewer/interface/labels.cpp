@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "record/errors.h"
 #include "scenario/number_text.h"
@@ -33,19 +34,35 @@ void write_on_paper(float left, float top, Color color, const std::string& text)
   write(left, top, color, text);
 }
 
+/// Below the others, if it would lie on one of them.
+Rectangle beside(const std::vector<Rectangle>& others, Rectangle label) {
+  for (const Rectangle& other : others) {
+    const bool is_apart = label.left >= other.left + other.width || other.left >= label.left + label.width ||
+                          label.top >= other.top + other.height || other.top >= label.top + label.height;
+    if (!is_apart) label.top = other.top + other.height;
+  }
+  return label;
+}
+
 void draw_arrow_names(const Simulation& simulation, const Scene& scene, const OrbitCamera& camera,
                       bool is_teaching, const Rectangle& viewport, std::size_t index) {
   const Matrix4f view_projection = camera.projection(viewport.width / viewport.height) * camera.view();
+  std::vector<Rectangle> placed;
   for (const Arrow& arrow : scene.arrows(simulation, index, is_teaching)) {
     if (arrow.along_W.norm() < kShortestNamed * scene.radius()) continue;
     Eigen::Vector2f pixel;
     const Vector3 tip_W = arrow.from_W + 1.08 * arrow.along_W;
     if (!project(view_projection, tip_W, {viewport.width, viewport.height}, pixel)) continue;
     const ImVec2 size = ImGui::CalcTextSize(arrow.name);
-    const float left = viewport.left + pixel.x() - 0.5f * size.x;
-    const float top = viewport.top + pixel.y() + (arrow.shift - 0.5f) * size.y;
-    if (!viewport.contains(left, top) || !viewport.contains(left + size.x, top + size.y)) continue;
-    write_on_paper(left, top, arrow.color, arrow.name);
+    const Rectangle label =
+        beside(placed, {viewport.left + pixel.x() - 0.5f * size.x, viewport.top + pixel.y() - 0.5f * size.y,
+                        size.x + 4.0f, size.y + 2.0f});
+    if (!viewport.contains(label.left, label.top) ||
+        !viewport.contains(label.left + label.width, label.top + label.height)) {
+      continue;
+    }
+    placed.push_back(label);
+    write_on_paper(label.left, label.top, arrow.color, arrow.name);
   }
 }
 

@@ -13,7 +13,10 @@ namespace polhode::demos {
 namespace {
 
 constexpr std::size_t kMostPoints = 400;
-constexpr float kLeftMargin = 66.0f;
+/// Of a plot. Where there is less room, they are scrolled.
+constexpr float kLeastWidth = 250.0f;
+constexpr float kLeastHeight = 130.0f;
+constexpr float kLeftMargin = 62.0f;
 constexpr float kRightMargin = 12.0f;
 constexpr float kTopMargin = 22.0f;
 constexpr float kBottomMargin = 20.0f;
@@ -36,23 +39,29 @@ struct Axes {
 void draw_ticks(ImDrawList& list, const Axes& axes, bool is_logarithmic) {
   const Rectangle& frame = axes.frame;
   const float half_line = 0.5f * ImGui::GetTextLineHeight();
+  std::string previous;
   for (const double value : ticks(axes.value)) {
     if (is_logarithmic && value != std::round(value)) continue;
     const float y = axes.at(axes.t_s.lowest, value).y;
     const std::string text =
         is_logarithmic ? "1e" + short_number_text(value, 3) : short_number_text(value, 6);
+    if (text == previous) continue;  // of a line that only rounding bends
+    previous = text;
     list.AddLine({frame.left, y}, {frame.left + frame.width, y}, im_color(kRule, 0.6f));
     list.AddText({frame.left - 5.0f - ImGui::CalcTextSize(text.c_str()).x, y - half_line},
                  im_color(kFaintInk), text.c_str());
   }
+  float free_from = 0.0f;
   for (const double t : ticks(axes.t_s)) {
     const float x = axes.at(t, axes.value.lowest).x;
-    std::string text = short_number_text(t, 6);
+    const std::string text = short_number_text(t, 6);
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     const float bottom = frame.top + frame.height;
     list.AddLine({x, bottom}, {x, bottom + 3.0f}, im_color(kFaintInk));
     const bool meets_unit = x + 0.5f * width > frame.left + frame.width - 30.0f;
-    if (!meets_unit) list.AddText({x - 0.5f * width, bottom + 4.0f}, im_color(kFaintInk), text.c_str());
+    if (meets_unit || x - 0.5f * width < free_from) continue;
+    free_from = x + 0.5f * width + 6.0f;
+    list.AddText({x - 0.5f * width, bottom + 4.0f}, im_color(kFaintInk), text.c_str());
   }
   list.AddText({frame.left + frame.width - 24.0f, frame.top + frame.height + 4.0f}, im_color(kFaintInk),
                "t, s");
@@ -101,10 +110,17 @@ void draw_plot(const Simulation& simulation, const QuantityDescription& quantity
 void draw_plots(const Session& session, const Rectangle& area) {
   ImGui::SetNextWindowPos({area.left, area.top});
   ImGui::SetNextWindowSize({area.width, area.height});
-  ImGui::Begin("plots", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  ImGui::Begin("plots", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
+  const auto columns = static_cast<std::size_t>(std::clamp(area.width / kLeastWidth, 1.0f, 4.0f));
+  const std::size_t rows = (kQuantities.size() + columns - 1) / columns;
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const Rectangle all{corner.x, corner.y, ImGui::GetContentRegionAvail().x,
+                      std::max(ImGui::GetContentRegionAvail().y, kLeastHeight * static_cast<float>(rows))};
   for (std::size_t index = 0; index < kQuantities.size(); ++index) {
-    draw_plot(session.simulation(), kQuantities[index], grid_cell_of_columns(area, index, 4, 2));
+    draw_plot(session.simulation(), kQuantities[index], grid_cell_of_columns(all, index, columns, rows));
   }
+  ImGui::Dummy({1.0f, all.height - 1.0f});
   ImGui::End();
 }
 

@@ -39,9 +39,9 @@ std::vector<Arrow> arrows_of(const Sample& sample, const Sample& start, double r
   const Vector3& omega_W = sample.state.omega_W;
   const Vector3& L_W = sample.state.L_W;
   arrows.push_back({"omega", from_W, length_of(omega_W, start.state.omega_W) * radius * omega_W.normalized(),
-                    kOmegaColor, 0.6f});
+                    kOmegaColor});
   arrows.push_back(
-      {"L", from_W, length_of(L_W, start.state.L_W) * radius * L_W.normalized(), kMomentumColor, -0.6f});
+      {"L", from_W, length_of(L_W, start.state.L_W) * radius * L_W.normalized(), kMomentumColor});
   return arrows;
 }
 

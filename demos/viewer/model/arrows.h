@@ -12,8 +12,6 @@ struct Arrow {
   Vector3 from_W;
   Vector3 along_W;  ///< its whole length, m
   Color color;
-  /// Lines by which its name is moved down: omega and L often lie in one line.
-  float shift = 0.0f;
 };
 
 /// The axes of the body, omega and L as they are shown. `radius` is the body's, m. omega and L are as long as

@@ -20,7 +20,7 @@ struct QuantityDescription {
 inline constexpr std::array<QuantityDescription, 8> kQuantities = {
     {{Quantity::energy, "energy", "J", false},
      {Quantity::momentum, "|L|", "kg m^2/s", false},
-     {Quantity::momentum_angle, "angle of L from its start", "rad", false},
+     {Quantity::momentum_angle, "turn of L", "rad", false},
      {Quantity::attitude_error, "attitude error", "rad", true},
      {Quantity::det_R, "det R", "1", false},
      {Quantity::energy_x, "energy about body x", "J", false},
