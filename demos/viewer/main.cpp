@@ -9,15 +9,15 @@ namespace {
 using namespace polhode::demos;
 
 void view(const ViewerOptions& options) {
-  const Scenario scenario = chosen_scenario(options);
-  Session session(scenario, chosen_contenders(options));
+  Session session = chosen_session(options);
   session.clock().set_speed(options.speed);
-  session.run_to(chosen_step(options, scenario.dt));
+  session.run_to(chosen_step(options, session));
   if (options.screenshot) {
     write_png(take_screenshot(session, options), *options.screenshot);
   } else {
     show_window(session, options);
   }
+  if (options.record) write_recording(session.simulation(), *options.record);
 }
 
 }  // namespace

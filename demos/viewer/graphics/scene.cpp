@@ -12,10 +12,8 @@ constexpr Color kOtherColor{0xA8, 0xA8, 0xA4};
 constexpr Color kGroundColor{0xD8, 0xD8, 0xD2};
 constexpr Color kGridColor{0xB4, 0xB4, 0xAE};
 constexpr Color kPlaneColor{0xE6, 0xD8, 0xA8};
-constexpr Color kPolhodeColor{0xC0, 0x00, 0x40};
-constexpr Color kHerpolhodeColor{0x20, 0x20, 0x80};
 constexpr double kRoom = 1.55;       // about a body, for its arrows
-constexpr double kSideBySide = 0.7;  // several bodies do not fill a ball
+constexpr double kSideBySide = 0.8;  // several bodies do not fill a ball
 constexpr double kArrowThickness = 0.025;
 constexpr double kEllipsoidSize = 1.45;
 constexpr double kPlaneSize = 1.9;

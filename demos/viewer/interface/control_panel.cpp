@@ -109,20 +109,31 @@ void draw_changes(Session& session, ViewState& view) {
   if (ImGui::Button("Undo")) view.edited = changes_of(session.simulation().scenario());
 }
 
-void draw_export(Session& session, ViewState& view) {
+/// A field for a file's name with a button beside it; true if that is pressed.
+bool file_button(std::array<char, 256>& file, const char* button) {
+  ImGui::PushID(button);
   ImGui::SetNextItemWidth(180.0f);
-  ImGui::InputText("##csv", view.csv_file.data(), view.csv_file.size());
+  ImGui::InputText("##file", file.data(), file.size());
   ImGui::SameLine();
-  if (ImGui::Button("Write CSV")) {
+  const bool is_pressed = ImGui::Button(button);
+  ImGui::PopID();
+  return is_pressed;
+}
+
+void draw_export(Session& session, ViewState& view) {
+  if (file_button(view.csv_file, "Write CSV")) {
     attempt(session, [&] {
       export_csv(session.simulation(), view.csv_file.data());
       session.set_notice(std::string("written: ") + view.csv_file.data());
     });
   }
-  ImGui::SetNextItemWidth(180.0f);
-  ImGui::InputText("##png", view.png_file.data(), view.png_file.size());
-  ImGui::SameLine();
-  if (ImGui::Button("Write PNG")) view.wanted_png = view.png_file.data();
+  if (file_button(view.png_file, "Write PNG")) view.wanted_png = view.png_file.data();
+  if (file_button(view.recording_file, "Record")) {
+    attempt(session, [&] {
+      write_recording(session.simulation(), view.recording_file.data());
+      session.set_notice(std::string("written: ") + view.recording_file.data());
+    });
+  }
 }
 
 }  // namespace

@@ -80,6 +80,13 @@ std::string state_text(const Simulation& simulation, std::size_t index) {
   return text;
 }
 
+void draw_legend(const Rectangle& viewport, float top) {
+  const float width = ImGui::CalcTextSize("polhode  herpolhode").x;
+  const float left = viewport.left + viewport.width - kMargin - width;
+  write_on_paper(left, top, kPolhodeColor, "polhode");
+  write_on_paper(left + ImGui::CalcTextSize("polhode  ").x, top, kHerpolhodeColor, "herpolhode");
+}
+
 void draw_chip(float left, float top, std::size_t index) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddRectFilled({left - 2.0f, top - 2.0f}, {left + kChip + 2.0f, top + kChip + 2.0f}, im_color(kPaper));
@@ -99,6 +106,7 @@ void draw_labels(const Session& session, const Scene& scene, const OrbitCamera& 
   list.PushClipRect({viewport.left, viewport.top},
                     {viewport.left + viewport.width, viewport.top + viewport.height});
   draw_arrow_names(simulation, scene, camera, is_teaching, viewport, index);
+  if (is_teaching) draw_legend(viewport, top);
   draw_chip(left, top, index);
   write_on_paper(left + kChip + 6.0f, top, kInk, simulation.run(index).contender().name);
   write_on_paper(left, viewport.top + viewport.height - kMargin - kChip, kFaintInk,

@@ -27,7 +27,7 @@ class LiveWindow {
   LiveWindow(Session& session, const ViewerOptions& options)
       : session_(session), window_(options.width, options.height, true) {
     view_.is_teaching = options.is_teaching;
-    view_.has_panels = options.has_panels;
+    view_.has_panels = !options.has_no_panels;
     frame_.emplace(session_, view_);
     glfwSetWindowUserPointer(window_.handle(), this);
     glfwSetKeyCallback(window_.handle(), [](GLFWwindow* window, int key, int, int action, int) {

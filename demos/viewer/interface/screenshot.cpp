@@ -14,7 +14,7 @@ Image draw_image(Session& session, const ViewerOptions& options) {
   const Gui gui;
   ViewState view;
   view.is_teaching = options.is_teaching;
-  view.has_panels = options.has_panels;
+  view.has_panels = !options.has_no_panels;
   Frame frame(session, view);
   const Framebuffer framebuffer(options.width, options.height);
   // Dear ImGui fits windows to what is in them in their second frame.

@@ -20,6 +20,7 @@ struct ViewState {
   Changes edited{};
   std::array<char, 256> csv_file{"polhode.csv"};
   std::array<char, 256> png_file{"polhode.png"};
+  std::array<char, 256> recording_file{"polhode_run.txt"};
   /// The next picture is to be written there.
   std::optional<std::filesystem::path> wanted_png;
 };

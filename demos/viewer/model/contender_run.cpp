@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "viewer/model/digest.h"
 #include "world/conversions.h"
 
 namespace polhode::demos {
@@ -14,7 +15,7 @@ ContenderRun::ContenderRun(const Scenario& scenario, Contender contender, std::s
       reference_(scenario, *world_, start_),
       history_(history_capacity) {
   reference_.compare(start_);
-  history_.add({start_, other_poses()});
+  keep({start_, other_poses()});
 }
 
 void ContenderRun::step() {
@@ -26,7 +27,17 @@ void ContenderRun::step() {
     return;
   }
   reference_.compare(*sample);
-  history_.add({*sample, other_poses()});
+  keep({*sample, other_poses()});
+}
+
+std::uint64_t ContenderRun::digest_at(std::int64_t step) const {
+  const auto index = static_cast<std::size_t>(step);
+  return index < digests_.size() ? digests_[index] : 0;
+}
+
+void ContenderRun::keep(Snapshot snapshot) {
+  if (snapshot.sample.step <= kMostDigests) digests_.push_back(digest_of(snapshot));
+  history_.add(std::move(snapshot));
 }
 
 std::vector<Pose> ContenderRun::other_poses() const {

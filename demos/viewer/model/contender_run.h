@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "record/contender.h"
 #include "scenario/scenario.h"
@@ -10,6 +11,9 @@
 #include "world/scenario_world.h"
 
 namespace polhode::demos {
+
+/// How many steps of a run can be recorded.
+inline constexpr std::int64_t kMostDigests = 1000000;
 
 /// One contender's world, stepped, and what it left behind.
 class ContenderRun {
@@ -24,9 +28,12 @@ class ContenderRun {
   const Sample& start() const { return start_; }
   /// The step that failed, if one did.
   std::optional<std::int64_t> diverged_at_step() const { return diverged_at_step_; }
+  /// Of the bits after that step, for a recording; 0 if it had diverged, or is past kMostDigests.
+  std::uint64_t digest_at(std::int64_t step) const;
   Vector3 inertia_B() const { return world_->inertia_B(); }
 
  private:
+  void keep(Snapshot snapshot);
   std::vector<Pose> other_poses() const;
 
   Contender contender_;
@@ -35,6 +42,7 @@ class ContenderRun {
   Sample start_;
   AttitudeReference reference_;
   History history_;
+  std::vector<std::uint64_t> digests_;
   std::optional<std::int64_t> diverged_at_step_;
 };
 

@@ -40,12 +40,19 @@ void add_options(CLI::App& app, ViewerOptions& options, NumberTexts& texts) {
   app.add_option("--at", texts.at, "Open at that time (default: 0)")->type_name("SECONDS");
   app.add_option("--screenshot", options.screenshot, "Write the picture there, without a display, and exit")
       ->type_name("FILE.png");
+  app.add_option("--record", options.record, "Write the run there when the viewer is closed")
+      ->type_name("FILE");
+  app.add_option("--replay", options.replay, "Run a recording again and compare every bit")
+      ->type_name("FILE")
+      ->excludes("--scenario")
+      ->excludes("--contender")
+      ->excludes("--dt");
   app.add_flag("--through-window", options.through_window,
                "Take the screenshot from a window of the display");
   app.add_option("--width", texts.width, "Of window and screenshot (default: 1600)")->type_name("PIXELS");
   app.add_option("--height", texts.height, "Likewise (default: 1000)")->type_name("PIXELS");
   app.add_flag("--teaching", options.is_teaching, "Open with inertia ellipsoid, polhode and herpolhode");
-  app.add_flag("!--no-panels", options.has_panels, "Open without controls and plots");
+  app.add_flag("--no-panels", options.has_no_panels, "Open without controls and plots");
 }
 
 template <typename Number>
@@ -91,7 +98,14 @@ std::vector<Contender> chosen_contenders(const ViewerOptions& options) {
   return options.contenders.empty() ? default_contenders() : find_contenders(options.contenders);
 }
 
-std::int64_t chosen_step(const ViewerOptions& options, double dt) {
+Session chosen_session(const ViewerOptions& options) {
+  if (options.replay) return Session(read_recording(*options.replay));
+  return Session(chosen_scenario(options), chosen_contenders(options));
+}
+
+std::int64_t chosen_step(const ViewerOptions& options, const Session& session) {
+  if (options.replay && options.screenshot && !options.at_s) return session.replayed_steps();
+  const double dt = session.simulation().scenario().dt;
   const double steps = std::round(options.at_s.value_or(0.0) / dt);
   if (steps > kMostStepsToWaitFor) {
     throw std::invalid_argument("--at: is " + number_text(*options.at_s) + " s, more than " +

@@ -7,6 +7,7 @@
 
 #include "record/contender.h"
 #include "scenario/scenario.h"
+#include "viewer/model/session.h"
 
 namespace polhode::demos {
 
@@ -20,9 +21,11 @@ struct ViewerOptions {
   int width = 1600;
   int height = 1000;
   bool is_teaching = false;
-  bool has_panels = true;
+  bool has_no_panels = false;
   bool through_window = false;  ///< the screenshot
   std::optional<std::filesystem::path> screenshot;
+  std::optional<std::filesystem::path> record;
+  std::optional<std::filesystem::path> replay;
 };
 
 /// Nothing if the command line asked for --help or --version, which is then printed.
@@ -32,8 +35,10 @@ std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arg
 /// @throws std::invalid_argument, ScenarioError
 Scenario chosen_scenario(const ViewerOptions& options);
 std::vector<Contender> chosen_contenders(const ViewerOptions& options);
-/// The step that --at means.
+/// What scenario and contenders, or the recording, give.
+Session chosen_session(const ViewerOptions& options);
+/// The step that --at means; without it the start, or of a replay that is a picture the end.
 /// @throws std::invalid_argument if it is too far from the start to be waited for
-std::int64_t chosen_step(const ViewerOptions& options, double dt);
+std::int64_t chosen_step(const ViewerOptions& options, const Session& session);
 
 }  // namespace polhode::demos

@@ -24,6 +24,10 @@ inline constexpr std::array<Color, 9> kContenderColors = {{{0x00, 0x72, 0xB2},
                                                            {0x8F, 0x8A, 0x00},
                                                            {0x88, 0x22, 0x55}}};
 
+/// The paths of omega in the teaching view.
+inline constexpr Color kPolhodeColor{0xC0, 0x00, 0x40};
+inline constexpr Color kHerpolhodeColor{0x20, 0x20, 0x80};
+
 inline Color contender_color(std::size_t index) {
   return kContenderColors[index % kContenderColors.size()];
 }

@@ -12,6 +12,12 @@ Session::Session(const Scenario& scenario, std::vector<Contender> contenders, st
       history_capacity_(history_capacity),
       simulation_(std::make_unique<Simulation>(scenario, contenders_, history_capacity)) {}
 
+Session::Session(Recording recording, std::size_t history_capacity)
+    : Session(recording.scenario, recording.contenders, history_capacity) {
+  replayed_ = std::move(recording);
+  check_shown_step(*replayed_, *simulation_);
+}
+
 void Session::apply(Action action) {
   switch (action) {
     case Action::run_or_pause:
@@ -34,10 +40,15 @@ void Session::advance(double real_s, std::chrono::nanoseconds budget) {
   if (!is_running_) return;
   const auto deadline = std::chrono::steady_clock::now() + budget;
   for (std::int64_t due = clock_.steps_due(real_s, simulation_->scenario().dt); due > 0; --due) {
-    const std::vector<std::string> diverged = simulation_->step();
-    if (!diverged.empty()) {
+    try {
+      const std::vector<std::string> diverged = step_simulation();
+      if (!diverged.empty()) {
+        is_running_ = false;
+        return note_divergence(diverged, "paused; Space goes on");
+      }
+    } catch (const std::runtime_error& error) {
       is_running_ = false;
-      note_divergence(diverged, "paused; Space goes on");
+      notice_ = error.what();
       return;
     }
     if (std::chrono::steady_clock::now() > deadline) {
@@ -50,7 +61,7 @@ void Session::advance(double real_s, std::chrono::nanoseconds budget) {
 void Session::run_to(std::int64_t step) {
   while (simulation_->shown_step() < step) {
     const std::string before = notice_;
-    note_divergence(simulation_->step(), "");
+    note_divergence(step_simulation(), "");
     if (notice_ != before && !before.empty()) notice_ = before + "; " + notice_;
   }
 }
@@ -61,6 +72,7 @@ void Session::restart(const Scenario& scenario, const std::vector<Contender>& co
     auto simulation = std::make_unique<Simulation>(scenario, contenders, history_capacity_);
     simulation_ = std::move(simulation);
     contenders_ = contenders;
+    replayed_.reset();
     ++generation_;
     clock_.restart();
     notice_ = reason;
@@ -83,7 +95,11 @@ void Session::run_or_pause() {
 void Session::step_once() {
   is_running_ = false;
   notice_.clear();
-  note_divergence(simulation_->step(), "");
+  try {
+    note_divergence(step_simulation(), "");
+  } catch (const std::runtime_error& error) {
+    notice_ = error.what();
+  }
 }
 
 void Session::step_back() {
@@ -98,7 +114,15 @@ void Session::step_back() {
 
 void Session::reset(const std::string& reason) {
   is_running_ = false;
+  std::optional<Recording> replayed = std::move(replayed_);
   restart(simulation_->scenario(), contenders_, reason);
+  replayed_ = std::move(replayed);
+}
+
+std::vector<std::string> Session::step_simulation() {
+  std::vector<std::string> diverged = simulation_->step();
+  if (replayed_) check_shown_step(*replayed_, *simulation_);
+  return diverged;
 }
 
 void Session::note_divergence(const std::vector<std::string>& names, const std::string& what_now) {
