@@ -44,6 +44,27 @@ Picture read_picture(const std::filesystem::path& file) {
   return picture;
 }
 
+/// Those of the kept pictures. To make one anew, give polhode_viewer these.
+std::vector<std::string> golden_arguments(const std::string& scenario, const std::string& file) {
+  return {"--scenario", scenario,      "--contender",  "exact", "--contender", "matrix",
+          "--at",       "0.25",        "--width",      "640",   "--height",    "320",
+          "--teaching", "--no-panels", "--screenshot", file};
+}
+
+/// Of the pixels, by more than edges that are smoothed in another way do.
+double part_that_differs(const Picture& a, const Picture& b) {
+  constexpr int kMostOfAChannel = 48;
+  int differing = 0;
+  for (std::size_t i = 0; i < a.colors.size(); ++i) {
+    for (const int shift : {0, 8, 16}) {
+      if (std::abs((a.colors[i] >> shift & 255) - (b.colors[i] >> shift & 255)) <= kMostOfAChannel) continue;
+      ++differing;
+      break;
+    }
+  }
+  return differing / static_cast<double>(a.colors.size());
+}
+
 class PictureOf : public testing::TestWithParam<const char*> {};
 
 TEST_P(PictureOf, AScenarioIsDrawnWithoutADisplay) {
@@ -60,6 +81,16 @@ TEST_P(PictureOf, AScenarioIsDrawnWithoutADisplay) {
   for (std::size_t index = 0; index < default_contenders().size(); ++index) {
     EXPECT_GE(picture.count(contender_color(index)), 100) << "contender " << index;  // its chip: 13 x 13
   }
+}
+
+TEST_P(PictureOf, AScenarioIsLikeTheOneThatIsKept) {
+  const TemporaryDirectory directory;
+  const CommandResult result = run_viewer(golden_arguments(GetParam(), (directory / "out.png").string()));
+  ASSERT_EQ(result.exit_code, 0) << result.standard_error;
+  const Picture drawn = read_picture(directory / "out.png");
+  const Picture kept = read_picture(std::string(POLHODE_VIEWER_PICTURES) + "/" + GetParam() + ".png");
+  ASSERT_EQ(drawn.colors.size(), kept.colors.size());
+  EXPECT_LT(part_that_differs(drawn, kept), 0.01);  // measured 0 where they were made
 }
 
 INSTANTIATE_TEST_SUITE_P(Viewer, PictureOf,
