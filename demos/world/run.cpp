@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "record/median.h"
-#include "support/oracle/free_top.h"
+#include "world/attitude_reference.h"
 #include "world/scenario_world.h"
 
 namespace polhode::demos {
@@ -43,26 +43,6 @@ class StepTimer {
   std::int64_t steps_in_stretch_ = 0;
   Clock::duration in_stretch_{};
   std::vector<double> ns_;
-};
-
-/// How far a sample is from the exact motion. That starts from what the body itself says at the start, and
-/// goes by the moments and the time step that it really has: what Bullet rounded in the scenario is no error
-/// of the contender's.
-class AttitudeReference {
- public:
-  AttitudeReference(const Scenario& scenario, const ScenarioWorld& world, const Sample& start)
-      : dt_s_(world.dt_s()) {
-    if (scenario.is_torque_free()) free_top_.emplace(world.inertia_B(), start.state.q_WB, start.state.L_W);
-  }
-
-  void compare(Sample& sample) const {
-    if (!free_top_) return;
-    sample.attitude_error_rad = free_top_->attitude_error_after(sample.state.q_WB, sample.step, dt_s_);
-  }
-
- private:
-  std::optional<oracle::FreeTop> free_top_;
-  double dt_s_;
 };
 
 }  // namespace

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "viewer/graphics/image.h"
+
+namespace polhode::demos {
+
+/// A picture to draw into in place of a window, with smoothed edges.
+class Framebuffer {
+ public:
+  /// @throws std::runtime_error if the driver cannot.
+  Framebuffer(int width, int height);
+  ~Framebuffer();
+  Framebuffer(const Framebuffer&) = delete;
+  Framebuffer& operator=(const Framebuffer&) = delete;
+
+  /// From now on drawing goes there.
+  void bind() const;
+  /// What was drawn.
+  Image read() const;
+
+ private:
+  int width_;
+  int height_;
+  unsigned int smoothed_framebuffer_ = 0;
+  unsigned int smoothed_color_ = 0;
+  unsigned int smoothed_depth_ = 0;
+  unsigned int plain_framebuffer_ = 0;
+  unsigned int plain_color_ = 0;
+};
+
+/// What a window's back buffer shows.
+Image read_window(int width, int height);
+
+}  // namespace polhode::demos

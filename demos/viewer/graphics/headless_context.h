@@ -1,0 +1,19 @@
+#pragma once
+
+namespace polhode::demos {
+
+/// An OpenGL 3.3 context without display or window, current while it lives.
+class HeadlessContext {
+ public:
+  /// @throws std::runtime_error if there is none to be had.
+  HeadlessContext();
+  ~HeadlessContext();
+  HeadlessContext(const HeadlessContext&) = delete;
+  HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+ private:
+  void* display_ = nullptr;
+  void* context_ = nullptr;
+};
+
+}  // namespace polhode::demos

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+/// Triangles of simple shapes, with their normals.
+namespace polhode::demos {
+
+struct Vertex {
+  Eigen::Vector3f position;
+  Eigen::Vector3f normal;
+};
+
+using Triangles = std::vector<Vertex>;
+
+/// From -1 to 1 on each axis.
+Triangles cube();
+/// Of radius 1.
+Triangles ball();
+/// Along z from 0 to 1, of radius 1; `top_radius` 0 makes it a cone.
+Triangles cylinder(float top_radius);
+/// The plane z = 0 from -1 to 1.
+Triangles square();
+
+}  // namespace polhode::demos

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+
+#include "viewer/graphics/renderer.h"
+#include "viewer/graphics/scene.h"
+#include "viewer/interface/view_state.h"
+#include "viewer/model/session.h"
+
+namespace polhode::demos {
+
+/// Draws a session: the views side by side, the panels about them. Needs a current OpenGL context and a Gui.
+class Frame {
+ public:
+  Frame(Session& session, ViewState& view);
+
+  /// Into whatever framebuffer is bound. The platform's part of Dear ImGui's frame has begun.
+  void draw(int width, int height);
+  /// The camera as at the start.
+  void reset_camera();
+  /// Where the contenders' views were drawn.
+  const Rectangle& views() const { return views_; }
+
+ private:
+  void follow_session();
+  void lay_out(float width, float height);
+  void draw_panels(float width, float height);
+  void draw_views();
+  OrbitCamera camera_of(std::size_t index) const;
+
+  Session& session_;
+  ViewState& view_;
+  Renderer renderer_;
+  std::optional<Scene> scene_;
+  int generation_ = -1;
+  std::string scenario_name_;
+  Rectangle views_;
+  Rectangle status_;
+};
+
+}  // namespace polhode::demos

@@ -1,0 +1,148 @@
+#include "viewer/interface/labels.h"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "record/errors.h"
+#include "scenario/number_text.h"
+#include "viewer/interface/theme.h"
+
+namespace polhode::demos {
+
+namespace {
+
+constexpr float kMargin = 8.0f;
+constexpr float kChip = 13.0f;
+/// The name of a shorter arrow would hide it.
+constexpr double kShortestNamed = 0.08;
+
+void write(float left, float top, Color color, const std::string& text) {
+  ImGui::GetBackgroundDrawList()->AddText({left, top}, im_color(color), text.c_str());
+}
+
+void write_right(const Rectangle& area, float top, Color color, const std::string& text) {
+  const float width = ImGui::CalcTextSize(text.c_str()).x;
+  write(area.left + area.width - kMargin - width, top, color, text);
+}
+
+/// On a light ground, since it may lie over a body.
+void write_on_paper(float left, float top, Color color, const std::string& text) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImGui::GetBackgroundDrawList()->AddRectFilled(
+      {left - 2.0f, top - 1.0f}, {left + size.x + 2.0f, top + size.y + 1.0f}, im_color(kPaper, 0.75f));
+  write(left, top, color, text);
+}
+
+/// Below the others, if it would lie on one of them.
+Rectangle beside(const std::vector<Rectangle>& others, Rectangle label) {
+  for (const Rectangle& other : others) {
+    const bool is_apart = label.left >= other.left + other.width || other.left >= label.left + label.width ||
+                          label.top >= other.top + other.height || other.top >= label.top + label.height;
+    if (!is_apart) label.top = other.top + other.height;
+  }
+  return label;
+}
+
+void draw_arrow_names(const Simulation& simulation, const Scene& scene, const OrbitCamera& camera,
+                      bool is_teaching, const Rectangle& viewport, std::size_t index) {
+  const Matrix4f view_projection = camera.projection(viewport.width / viewport.height) * camera.view();
+  std::vector<Rectangle> placed;
+  for (const Arrow& arrow : scene.arrows(simulation, index, is_teaching)) {
+    if (arrow.along_W.norm() < kShortestNamed * scene.radius()) continue;
+    Eigen::Vector2f pixel;
+    const Vector3 tip_W = arrow.from_W + 1.08 * arrow.along_W;
+    if (!project(view_projection, tip_W, {viewport.width, viewport.height}, pixel)) continue;
+    const ImVec2 size = ImGui::CalcTextSize(arrow.name);
+    const Rectangle label =
+        beside(placed, {viewport.left + pixel.x() - 0.5f * size.x, viewport.top + pixel.y() - 0.5f * size.y,
+                        size.x + 4.0f, size.y + 2.0f});
+    if (!viewport.contains(label.left, label.top) ||
+        !viewport.contains(label.left + label.width, label.top + label.height)) {
+      continue;
+    }
+    placed.push_back(label);
+    write_on_paper(label.left, label.top, arrow.color, arrow.name);
+  }
+}
+
+std::string state_text(const Simulation& simulation, std::size_t index) {
+  const Sample& sample = simulation.shown(index).sample;
+  const std::optional<double> error = energy_error(sample, simulation.run(index).start());
+  std::string text;
+  if (error) text += "E/E0-1 " + short_number_text(*error, 3);
+  if (sample.attitude_error_rad) {
+    text += (text.empty() ? "" : "  ") + std::string("attitude error ") +
+            short_number_text(*sample.attitude_error_rad, 3) + " rad";
+  }
+  const double det_R = sample.det_R();
+  if (std::abs(det_R - 1.0) > 1e-6) text += "  det R " + short_number_text(det_R, 4);
+  return text;
+}
+
+void draw_legend(const Rectangle& viewport, float top) {
+  const float width = ImGui::CalcTextSize("polhode  herpolhode").x;
+  const float left = viewport.left + viewport.width - kMargin - width;
+  write_on_paper(left, top, kPolhodeColor, "polhode");
+  write_on_paper(left + ImGui::CalcTextSize("polhode  ").x, top, kHerpolhodeColor, "herpolhode");
+}
+
+void draw_chip(float left, float top, std::size_t index) {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddRectFilled({left - 2.0f, top - 2.0f}, {left + kChip + 2.0f, top + kChip + 2.0f}, im_color(kPaper));
+  list.AddRectFilled({left, top}, {left + kChip, top + kChip}, im_color(contender_color(index)));
+  if (!is_dashed(index)) return;
+  list.AddRectFilled({left + 5.0f, top}, {left + 8.0f, top + kChip}, im_color(kPaper));
+}
+
+}  // namespace
+
+void draw_labels(const Session& session, const Scene& scene, const OrbitCamera& camera, bool is_teaching,
+                 const Rectangle& viewport, std::size_t index) {
+  const Simulation& simulation = session.simulation();
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float left = viewport.left + kMargin;
+  const float top = viewport.top + kMargin;
+  list.PushClipRect({viewport.left, viewport.top},
+                    {viewport.left + viewport.width, viewport.top + viewport.height});
+  draw_arrow_names(simulation, scene, camera, is_teaching, viewport, index);
+  if (is_teaching) draw_legend(viewport, top);
+  draw_chip(left, top, index);
+  write_on_paper(left + kChip + 6.0f, top, kInk, simulation.run(index).contender().name);
+  write_on_paper(left, viewport.top + viewport.height - kMargin - kChip, kFaintInk,
+                 state_text(simulation, index));
+  if (simulation.has_diverged(index)) {
+    const double t_s =
+        static_cast<double>(simulation.run(index).diverged_at_step().value()) * simulation.scenario().dt;
+    write_on_paper(left, top + 1.5f * kChip, kWarning,
+                   "diverged at t = " + short_number_text(t_s, 6) + " s; last sound state");
+  }
+  list.AddRect({viewport.left, viewport.top},
+               {viewport.left + viewport.width, viewport.top + viewport.height}, im_color(kRule));
+  list.PopClipRect();
+}
+
+void draw_status(const Session& session, const Rectangle& line) {
+  const Simulation& simulation = session.simulation();
+  const Scenario& scenario = simulation.scenario();
+  ImGui::GetBackgroundDrawList()->AddRectFilled(
+      {line.left, line.top}, {line.left + line.width, line.top + line.height}, im_color(kPaper));
+  std::string text = scenario.name + "   t = " + short_number_text(simulation.shown_t_s(), 6) + " s   step " +
+                     number_text(simulation.shown_step()) + "   dt = " + short_number_text(scenario.dt, 4) +
+                     " s   speed x" + short_number_text(session.clock().speed(), 4) + "   " +
+                     (session.is_running() ? "running" : "paused");
+  if (session.is_late()) text += " (slower than asked: too much to compute)";
+  const float top = line.top + 0.5f * (line.height - ImGui::GetTextLineHeight());
+  write(line.left + kMargin, top, kInk, text);
+  const std::string help = "H: keys";
+  write_right(line, top, kFaintInk, help);
+  const float used = ImGui::CalcTextSize((text + help).c_str()).x + 6.0f * kMargin;
+  if (ImGui::CalcTextSize(session.notice().c_str()).x + used < line.width) {
+    write(line.left + ImGui::CalcTextSize(text.c_str()).x + 4.0f * kMargin, top, kWarning, session.notice());
+    return;
+  }
+  // It gets a line of its own over the views.
+  write_on_paper(line.left + kMargin, line.top + line.height + 2.0f, kWarning, session.notice());
+}
+
+}  // namespace polhode::demos

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "polhode/rotation_state.h"
+
+namespace polhode::demos {
+
+/// A column-major matrix, as OpenGL takes it.
+using Matrix4f = Eigen::Matrix4f;
+
+/// Circles a point of the world, with the world's z axis upwards.
+class OrbitCamera {
+ public:
+  /// So that a ball of that radius about the target fills the view.
+  void look_at(const Vector3& target_W, double radius);
+  void move_to(const Vector3& target_W) { target_W_ = target_W; }
+
+  /// By angles, rad. The elevation stays short of the poles.
+  void orbit(double azimuth_rad, double elevation_rad);
+  /// Multiplies the distance, within bounds.
+  void zoom(double factor);
+
+  Vector3 position_W() const;
+  const Vector3& target_W() const { return target_W_; }
+  double distance() const { return distance_; }
+  Matrix4f view() const;
+  Matrix4f projection(double aspect) const;
+
+ private:
+  Vector3 target_W_ = Vector3::Zero();
+  double nominal_distance_ = 5.0;
+  double distance_ = 5.0;
+  double azimuth_rad_ = 0.9;
+  double elevation_rad_ = 0.45;
+};
+
+/// Where a point is in a viewport of that size, in pixels from its top left corner; false: behind the camera.
+bool project(const Matrix4f& view_projection, const Vector3& point_W, const Eigen::Vector2f& size,
+             Eigen::Vector2f& pixel);
+
+}  // namespace polhode::demos

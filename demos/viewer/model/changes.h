@@ -1,0 +1,20 @@
+#pragma once
+
+#include "scenario/scenario.h"
+
+namespace polhode::demos {
+
+/// What a user may change of a scenario in the viewer.
+struct Changes {
+  double dt;
+  Vector3 inertia_B;
+  Vector3 omega_W;
+};
+
+Changes changes_of(const Scenario& resolved_scenario);
+
+/// The scenario with these, its start not yet tried.
+/// @throws std::invalid_argument that says what is valid
+Scenario changed(Scenario scenario, const Changes& changes);
+
+}  // namespace polhode::demos

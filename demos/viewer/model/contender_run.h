@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "record/contender.h"
+#include "scenario/scenario.h"
+#include "viewer/model/history.h"
+#include "world/attitude_reference.h"
+#include "world/scenario_world.h"
+
+namespace polhode::demos {
+
+/// How many steps of a run can be recorded.
+inline constexpr std::int64_t kMostDigests = 1000000;
+
+/// One contender's world, stepped, and what it left behind.
+class ContenderRun {
+ public:
+  ContenderRun(const Scenario& scenario, Contender contender, std::size_t history_capacity);
+
+  /// Does nothing once it has diverged.
+  void step();
+
+  const Contender& contender() const { return contender_; }
+  const History& history() const { return history_; }
+  const Sample& start() const { return start_; }
+  /// The step that failed, if one did.
+  std::optional<std::int64_t> diverged_at_step() const { return diverged_at_step_; }
+  /// Of the bits after that step, for a recording; 0 if it had diverged, or is past kMostDigests.
+  std::uint64_t digest_at(std::int64_t step) const;
+  Vector3 inertia_B() const { return world_->inertia_B(); }
+
+ private:
+  void keep(Snapshot snapshot);
+  std::vector<Pose> other_poses() const;
+
+  Contender contender_;
+  std::size_t other_count_;
+  std::unique_ptr<ScenarioWorld> world_;
+  Sample start_;
+  AttitudeReference reference_;
+  History history_;
+  std::vector<std::uint64_t> digests_;
+  std::optional<std::int64_t> diverged_at_step_;
+};
+
+}  // namespace polhode::demos

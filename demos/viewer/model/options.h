@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/contender.h"
+#include "scenario/scenario.h"
+#include "viewer/model/session.h"
+
+namespace polhode::demos {
+
+/// What the command line of polhode_viewer asks for.
+struct ViewerOptions {
+  std::string scenario = "dzhanibekov";
+  std::vector<std::string> contenders;  ///< empty: the default ones
+  std::optional<double> dt;
+  std::optional<double> at_s;
+  double speed = 1.0;
+  int width = 1600;
+  int height = 1000;
+  bool is_teaching = false;
+  bool has_no_panels = false;
+  bool through_window = false;  ///< the screenshot
+  std::optional<std::filesystem::path> screenshot;
+  std::optional<std::filesystem::path> record;
+  std::optional<std::filesystem::path> replay;
+};
+
+/// Nothing if the command line asked for --help or --version, which is then printed.
+/// @throws std::invalid_argument that says what is wrong and what is valid
+std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arguments);
+
+/// @throws std::invalid_argument, ScenarioError
+Scenario chosen_scenario(const ViewerOptions& options);
+std::vector<Contender> chosen_contenders(const ViewerOptions& options);
+/// What scenario and contenders, or the recording, give.
+Session chosen_session(const ViewerOptions& options);
+/// The step that --at means; without it the start, or of a replay that is a picture the end.
+/// @throws std::invalid_argument if it is too far from the start to be waited for
+std::int64_t chosen_step(const ViewerOptions& options, const Session& session);
+
+}  // namespace polhode::demos

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace polhode::demos {
+
+struct Color {
+  std::uint8_t red;
+  std::uint8_t green;
+  std::uint8_t blue;
+};
+
+/// Okabe and Ito's colours, which colour-blind people can tell apart, on a light ground; the last three are
+/// added to them.
+inline constexpr std::array<Color, 9> kContenderColors = {{{0x00, 0x72, 0xB2},
+                                                           {0xD5, 0x5E, 0x00},
+                                                           {0x00, 0x9E, 0x73},
+                                                           {0xCC, 0x79, 0xA7},
+                                                           {0x56, 0xB4, 0xE9},
+                                                           {0xE6, 0x9F, 0x00},
+                                                           {0x40, 0x40, 0x40},
+                                                           {0x8F, 0x8A, 0x00},
+                                                           {0x88, 0x22, 0x55}}};
+
+/// The paths of omega in the teaching view.
+inline constexpr Color kPolhodeColor{0xC0, 0x00, 0x40};
+inline constexpr Color kHerpolhodeColor{0x20, 0x20, 0x80};
+
+inline Color contender_color(std::size_t index) {
+  return kContenderColors[index % kContenderColors.size()];
+}
+
+/// Where there are more contenders than colours, these are drawn dashed.
+inline bool is_dashed(std::size_t index) {
+  return index >= kContenderColors.size();
+}
+
+}  // namespace polhode::demos

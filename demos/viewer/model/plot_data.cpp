@@ -1,0 +1,117 @@
+#include "viewer/model/plot_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode::demos {
+
+namespace {
+
+/// Below rounding all errors are alike.
+constexpr double kLeastPower = -17.0;
+/// Of the curves, sorted by how far they go, this part counts; others may go so many times as far.
+constexpr double kUsualPart = 0.7;
+constexpr double kUsualReach = 4.0;
+/// Of the value at the start.
+constexpr double kRoomToLeave = 0.3;
+constexpr double kMargin = 0.08;
+
+double shown_value(double value, bool is_logarithmic) {
+  if (!is_logarithmic) return value;
+  return value > 0.0 ? std::max(std::log10(value), kLeastPower) : kLeastPower;
+}
+
+Curve curve_of(const ContenderRun& run, std::int64_t last_step, const QuantityDescription& quantity,
+               std::size_t most_points) {
+  const History& history = run.history();
+  const std::int64_t last = std::min(last_step, history.last_step());
+  const auto steps = std::max<std::int64_t>(1, last - history.first_step());
+  const auto most = static_cast<std::int64_t>(most_points);
+  const std::int64_t stride = std::max<std::int64_t>(1, (steps + most - 1) / most);
+  Curve curve;
+  // At multiples of the stride, so that a curve that grows does not flicker; and the newest.
+  for (std::int64_t step = history.first_step(); step <= last;
+       step = std::min(step == last ? last + 1 : last, (step / stride + 1) * stride)) {
+    const Sample& sample = history.at(step).sample;
+    const std::optional<double> value = value_of(quantity.quantity, sample, run.start());
+    if (value) curve.push_back({sample.t_s, shown_value(*value, quantity.is_logarithmic)});
+  }
+  return curve;
+}
+
+Range extent(const Curve& curve) {
+  const auto [lowest, highest] = std::minmax_element(
+      curve.begin(), curve.end(), [](const PlotPoint& a, const PlotPoint& b) { return a.value < b.value; });
+  return {lowest->value, highest->value};
+}
+
+/// The distance from the first value that all but the outliers keep.
+double usual_distance(const std::vector<Range>& extents, double centre) {
+  std::vector<double> distances;
+  distances.reserve(extents.size());
+  for (const Range& one : extents) {
+    distances.push_back(std::max(std::abs(one.highest - centre), std::abs(one.lowest - centre)));
+  }
+  std::sort(distances.begin(), distances.end());
+  const auto usual = static_cast<std::size_t>(kUsualPart * static_cast<double>(distances.size()));
+  // Where nearly all only round, there is room for one that does more to be seen to leave.
+  const double limit = std::max(kUsualReach * distances[usual], kRoomToLeave * std::abs(centre));
+  if (distances[usual] < kRoomToLeave * std::abs(centre)) return std::min(limit, distances.back());
+  return *(std::upper_bound(distances.begin() + static_cast<std::ptrdiff_t>(usual), distances.end(), limit) -
+           1);
+}
+
+}  // namespace
+
+std::vector<Curve> curves_of(const Simulation& simulation, const QuantityDescription& quantity,
+                             std::size_t most_points) {
+  std::vector<Curve> curves;
+  for (std::size_t index = 0; index < simulation.size(); ++index) {
+    curves.push_back(curve_of(simulation.run(index), simulation.shown_step(), quantity, most_points));
+  }
+  return curves;
+}
+
+Range value_range(const std::vector<Curve>& curves) {
+  std::vector<Range> extents;
+  double centre = 0.0;
+  for (const Curve& curve : curves) {
+    if (curve.empty()) continue;
+    if (extents.empty()) centre = curve.front().value;
+    extents.push_back(extent(curve));
+  }
+  if (extents.empty()) return {0.0, 1.0};
+  const double reach = usual_distance(extents, centre);
+  Range shown{centre, centre};
+  for (const Range& one : extents) {
+    shown.lowest = std::min(shown.lowest, std::max(one.lowest, centre - reach));
+    shown.highest = std::max(shown.highest, std::min(one.highest, centre + reach));
+  }
+  // What differs by rounding alone is drawn as a straight line.
+  const double least = std::max(1e-9 * std::abs(centre), 1e-12);
+  const double margin = std::max(kMargin * (shown.highest - shown.lowest), least);
+  return {shown.lowest - margin, shown.highest + margin};
+}
+
+bool leaves(const Curve& curve, const Range& range) {
+  return std::any_of(curve.begin(), curve.end(),
+                     [&](const PlotPoint& point) { return !range.contains(point.value); });
+}
+
+std::vector<double> ticks(const Range& range) {
+  const double span = range.highest - range.lowest;
+  if (!(span > 0.0) || !std::isfinite(span)) return {};
+  double step = std::pow(10.0, std::floor(std::log10(span)));
+  for (const double factor : {0.5, 0.4, 0.5}) {
+    if (span / step < 3.0) step *= factor;
+  }
+  while (span / step > 6.0) step *= 2.0;
+  std::vector<double> result;
+  const double first = std::ceil(range.lowest / step);
+  for (double multiple = first; multiple * step <= range.highest && result.size() < 8; multiple += 1.0) {
+    result.push_back(multiple * step + 0.0);  // no negative zero
+  }
+  return result;
+}
+
+}  // namespace polhode::demos

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "record/sample.h"
+
+namespace polhode::demos {
+
+/// What is plotted over time.
+enum class Quantity { energy, energy_x, energy_y, energy_z, momentum, momentum_angle, det_R, attitude_error };
+
+struct QuantityDescription {
+  Quantity quantity;
+  const char* name;
+  const char* unit;
+  bool is_logarithmic;  ///< errors span many powers of ten
+};
+
+inline constexpr std::array<QuantityDescription, 8> kQuantities = {
+    {{Quantity::energy, "energy", "J", false},
+     {Quantity::momentum, "|L|", "kg m^2/s", false},
+     {Quantity::momentum_angle, "turn of L", "rad", false},
+     {Quantity::attitude_error, "attitude error", "rad", true},
+     {Quantity::det_R, "det R", "1", false},
+     {Quantity::energy_x, "energy about body x", "J", false},
+     {Quantity::energy_y, "energy about body y", "J", false},
+     {Quantity::energy_z, "energy about body z", "J", false}}};
+
+/// Nothing where the sample has no such value.
+std::optional<double> value_of(Quantity quantity, const Sample& sample, const Sample& start);
+
+}  // namespace polhode::demos

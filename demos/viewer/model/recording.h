@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "viewer/model/simulation.h"
+
+/// A run in a file: what it starts from, and of each step of each contender a number that stands for all bits
+/// of its state. To replay it is to compute it again and to find the same bits.
+namespace polhode::demos {
+
+struct Recording {
+  Scenario scenario;
+  std::vector<Contender> contenders;
+  /// For each step, the start included, one for each contender; 0 once it has diverged.
+  std::vector<std::vector<std::uint64_t>> digests;
+
+  std::int64_t steps() const { return static_cast<std::int64_t>(digests.size()) - 1; }
+};
+
+/// The run up to the step that is shown.
+/// @throws std::runtime_error if the file cannot be written, or the run is too long to have been kept.
+void write_recording(const Simulation& simulation, const std::filesystem::path& file);
+
+/// @throws std::invalid_argument or ScenarioError, which say what is wrong with the file
+Recording read_recording(const std::filesystem::path& file);
+
+/// Steps after the recording's end are free.
+/// @throws std::runtime_error that names step and contender if what is shown is not what was recorded
+void check_shown_step(const Recording& recording, const Simulation& simulation);
+
+}  // namespace polhode::demos

@@ -1,0 +1,37 @@
+#include "viewer/model/view_grid.h"
+
+#include <algorithm>
+
+namespace polhode::demos {
+
+namespace {
+
+/// A view is good if it is somewhat wider than high: a body needs as much of both, its labels more width.
+constexpr float kGoodAspect = 1.25f;
+
+/// How large a good view fits into a cell, with so many columns.
+float room_in_cell(const Rectangle& area, std::size_t columns, std::size_t count) {
+  const std::size_t rows = (count + columns - 1) / columns;
+  return std::min(area.width / static_cast<float>(columns),
+                  kGoodAspect * area.height / static_cast<float>(rows));
+}
+
+}  // namespace
+
+Rectangle grid_cell(const Rectangle& area, std::size_t index, std::size_t count) {
+  std::size_t columns = 1;
+  for (std::size_t candidate = 2; candidate <= count; ++candidate) {
+    if (room_in_cell(area, candidate, count) > room_in_cell(area, columns, count)) columns = candidate;
+  }
+  return grid_cell_of_columns(area, index, columns, (count + columns - 1) / columns);
+}
+
+Rectangle grid_cell_of_columns(const Rectangle& area, std::size_t index, std::size_t columns,
+                               std::size_t rows) {
+  const float width = area.width / static_cast<float>(columns);
+  const float height = area.height / static_cast<float>(rows);
+  return {area.left + width * static_cast<float>(index % columns),
+          area.top + height * static_cast<float>(index / columns), width, height};
+}
+
+}  // namespace polhode::demos

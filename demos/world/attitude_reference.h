@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "record/sample.h"
+#include "scenario/scenario.h"
+
+namespace polhode::oracle {
+class FreeTop;
+}
+
+namespace polhode::demos {
+
+class ScenarioWorld;
+
+/// How far a sample is from the exact motion. That starts from what the body itself says at the start, and
+/// goes by the moments and the time step that it really has: what Bullet rounded in the scenario is no error
+/// of the contender's.
+class AttitudeReference {
+ public:
+  AttitudeReference(const Scenario& scenario, const ScenarioWorld& world, const Sample& start);
+  ~AttitudeReference();
+  AttitudeReference(AttitudeReference&&) noexcept;
+  AttitudeReference& operator=(AttitudeReference&&) noexcept;
+
+  /// Sets the sample's attitude error, where the exact motion is known.
+  void compare(Sample& sample) const;
+
+ private:
+  std::unique_ptr<const oracle::FreeTop> free_top_;
+  double dt_s_;
+};
+
+}  // namespace polhode::demos

@@ -1,0 +1,136 @@
+// What a user does with a session.
+#include "viewer/model/session.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "demos/support_files.h"
+#include "record/csv.h"
+#include "scenario/scenario_reader.h"
+#include "viewer/model/changes.h"
+#include "viewer/model/csv_export.h"
+#include "world/body_shape.h"
+
+namespace polhode::demos {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::chrono::seconds kPlenty{60};
+
+Scenario scenario(const std::string& name) {
+  return resolved(read_scenario(std::string(POLHODE_SCENARIO_SOURCES) + "/" + name + ".json"));
+}
+
+TEST(PlaybackClock, CountsRealTimeTimesTheSpeed) {
+  PlaybackClock clock;
+  EXPECT_EQ(clock.steps_due(0.05, 0.02), 2);
+  EXPECT_EQ(clock.steps_due(0.01, 0.02), 1);  // with what was left
+  clock.faster();
+  EXPECT_EQ(clock.steps_due(0.05, 0.02), 5);
+  clock.slower();
+  clock.slower();
+  clock.restart();
+  EXPECT_EQ(clock.steps_due(0.05, 0.02), 1);
+}
+
+TEST(PlaybackClock, DoesNotRaceAfterTimeThatWasLost) {
+  PlaybackClock clock;
+  EXPECT_EQ(clock.steps_due(1e9, 0.01), 10);
+  for (int i = 0; i < 100; ++i) clock.faster();
+  EXPECT_EQ(clock.speed(), PlaybackClock::kFastest);
+}
+
+TEST(Session, PlaysOnlyWhileItRuns) {
+  Session session(scenario("tumble"), find_contenders({"exact"}));
+  session.advance(0.1, kPlenty);
+  EXPECT_EQ(session.simulation().shown_step(), 0);
+  session.apply(Action::run_or_pause);
+  session.advance(0.1, kPlenty);
+  EXPECT_EQ(session.simulation().shown_step(), 6);
+  session.apply(Action::run_or_pause);
+  session.advance(0.1, kPlenty);
+  EXPECT_EQ(session.simulation().shown_step(), 6);
+}
+
+TEST(Session, PausesAtADivergenceAndSaysSo) {
+  Session session(scenario("dzhanibekov"), find_contenders({"exact", "matrix"}));
+  session.apply(Action::run_or_pause);
+  for (int i = 0; i < 100; ++i) session.advance(0.1, kPlenty);
+  EXPECT_FALSE(session.is_running());
+  EXPECT_EQ(session.simulation().shown_step(), 36);
+  EXPECT_THAT(session.notice(), HasSubstr("matrix diverged at t = 1.08 s"));
+  session.apply(Action::run_or_pause);
+  session.advance(0.1, kPlenty);
+  EXPECT_EQ(session.simulation().shown_step(), 39);
+}
+
+TEST(Session, DoesNotRunOnceAllHaveDiverged) {
+  Session session(scenario("dzhanibekov"), find_contenders({"matrix"}));
+  session.run_to(100);
+  session.apply(Action::run_or_pause);
+  EXPECT_FALSE(session.is_running());
+  EXPECT_THAT(session.notice(), HasSubstr("R starts over"));
+}
+
+TEST(Session, StepsBackStepsAndResets) {
+  Session session(scenario("tumble"), find_contenders({"exact"}), 10);
+  session.apply(Action::step_back);
+  EXPECT_EQ(session.notice(), "this is the start");
+  session.run_to(30);
+  for (int i = 0; i < 20; ++i) session.apply(Action::step_back);
+  EXPECT_EQ(session.simulation().shown_step(), 21);
+  EXPECT_THAT(session.notice(), HasSubstr("older steps are not kept (10 are)"));
+  session.apply(Action::step);
+  EXPECT_EQ(session.simulation().shown_step(), 22);
+  session.apply(Action::reset);
+  EXPECT_EQ(session.simulation().shown_step(), 0);
+  EXPECT_EQ(session.simulation().computed_step(), 0);
+}
+
+TEST(Session, ComputesNoLongerThanItsBudget) {
+  Session session(scenario("tumble"), find_contenders({"exact"}));
+  session.clock().set_speed(PlaybackClock::kFastest);
+  session.apply(Action::run_or_pause);
+  session.advance(0.1, std::chrono::nanoseconds(0));
+  EXPECT_EQ(session.simulation().shown_step(), 1);
+  EXPECT_TRUE(session.is_late());
+}
+
+TEST(Session, StartsOverWithChangesOrSaysWhatIsWrongWithThem) {
+  Session session(scenario("tumble"), find_contenders({"exact"}));
+  session.run_to(5);
+  Changes changes = changes_of(session.simulation().scenario());
+  changes.omega_W = {0, 0, 7};
+  session.restart(changed(session.simulation().scenario(), changes), session.contenders(), "changed");
+  EXPECT_EQ(session.simulation().shown_step(), 0);
+  EXPECT_EQ(session.simulation().run(0).start().state.omega_W.z(), 7.0);
+  EXPECT_EQ(session.generation(), 1);
+
+  changes.inertia_B.x() = -1.0;
+  EXPECT_THROW(changed(session.simulation().scenario(), changes), std::invalid_argument);
+  changes.inertia_B.x() = 1.0;
+  changes.omega_W = {9e8, 9e8, 0};  // each may be, together they are too fast
+  session.restart(changed(session.simulation().scenario(), changes), session.contenders(), "changed");
+  EXPECT_THAT(session.notice(), HasSubstr("not changed: "));
+  EXPECT_EQ(session.simulation().run(0).start().state.omega_W.z(), 7.0);
+}
+
+TEST(Session, IsExportedAsThatWhichWasComputed) {
+  Session session(scenario("tumble"), find_contenders({"exact", "matrix"}));
+  session.run_to(3);
+  session.apply(Action::step_back);
+  const TemporaryDirectory directory;
+  export_csv(session.simulation(), directory / "out.csv");
+  std::string expected = csv_header();
+  for (std::size_t index = 0; index < 2; ++index) {
+    const ContenderRun& run = session.simulation().run(index);
+    for (int step = 0; step <= 2; ++step) {
+      expected += csv_row(run.contender().name, run.history().at(step).sample);
+    }
+  }
+  EXPECT_EQ(read_file(directory / "out.csv"), expected);
+}
+
+}  // namespace
+}  // namespace polhode::demos
