@@ -55,7 +55,7 @@ constexpr float kBackground[] = {0.96f, 0.96f, 0.95f};
 
 template <typename Pointer>
 Pointer offset(std::size_t bytes) {
-  return reinterpret_cast<Pointer>(bytes);  // as OpenGL has it
+  return reinterpret_cast<Pointer>(bytes);  // as OpenGL has it NOLINT(performance-no-int-to-ptr)
 }
 
 void upload(const void* data, std::size_t bytes, GLenum usage) {
