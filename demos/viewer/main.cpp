@@ -1,4 +1,6 @@
 // Shows a scenario, rotated by several contenders side by side, in a window or as a picture.
+#include <algorithm>
+
 #include "command_line/interruption.h"
 #include "command_line/program.h"
 #include "viewer/interface/live_window.h"
@@ -8,10 +10,19 @@ namespace {
 
 using namespace polhode::demos;
 
+/// With an ear for Ctrl-C: a million steps take their time.
+void run_to(Session& session, std::int64_t step) {
+  constexpr std::int64_t kStepsAtOnce = 1000;
+  while (session.simulation().shown_step() < step) {
+    throw_if_interrupted();
+    session.run_to(std::min(step, session.simulation().shown_step() + kStepsAtOnce));
+  }
+}
+
 void view(const ViewerOptions& options) {
   Session session = chosen_session(options);
   session.clock().set_speed(options.speed);
-  session.run_to(chosen_step(options, session));
+  run_to(session, chosen_step(options, session));
   if (options.screenshot) {
     write_png(take_screenshot(session, options), *options.screenshot);
   } else {

@@ -55,7 +55,7 @@ constexpr float kBackground[] = {0.96f, 0.96f, 0.95f};
 
 template <typename Pointer>
 Pointer offset(std::size_t bytes) {
-  return reinterpret_cast<Pointer>(bytes);  // as OpenGL has it
+  return reinterpret_cast<Pointer>(bytes);  // as OpenGL has it NOLINT(performance-no-int-to-ptr)
 }
 
 void upload(const void* data, std::size_t bytes, GLenum usage) {
@@ -99,20 +99,25 @@ Renderer::~Renderer() {
   glDeleteProgram(program_);
 }
 
-void Renderer::clear(int width, int height) {
-  picture_height_ = height;
+void Renderer::clear(int width, int height, float scale) {
+  picture_height_ = static_cast<float>(height);
+  scale_ = scale;
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
-  glViewport(0, 0, width, height);
+  glViewport(0, 0, pixels(static_cast<float>(width)), pixels(picture_height_));
   glClearColor(kBackground[0], kBackground[1], kBackground[2], 1.0f);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+int Renderer::pixels(float length) const {
+  return static_cast<int>(std::lround(scale_ * length));
+}
+
 void Renderer::begin(const Rectangle& viewport, const OrbitCamera& camera) {
-  const int left = static_cast<int>(std::lround(viewport.left));
-  const int bottom = picture_height_ - static_cast<int>(std::lround(viewport.top + viewport.height));
-  const int width = static_cast<int>(std::lround(viewport.width));
-  const int height = static_cast<int>(std::lround(viewport.height));
+  const int left = pixels(viewport.left);
+  const int bottom = pixels(picture_height_ - viewport.top - viewport.height);
+  const int width = pixels(viewport.left + viewport.width) - left;
+  const int height = pixels(picture_height_ - viewport.top) - bottom;
   glViewport(left, bottom, width, height);
   glScissor(left, bottom, width, height);
   glEnable(GL_SCISSOR_TEST);

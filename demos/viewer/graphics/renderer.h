@@ -19,8 +19,8 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Clears the whole picture.
-  void clear(int width, int height);
+  /// Clears the whole picture, of that size in the units of viewports; `scale` pixels are one of them.
+  void clear(int width, int height, float scale);
   /// What follows goes to that part of the picture, seen by that camera.
   void begin(const Rectangle& viewport, const OrbitCamera& camera);
   /// What follows goes to the whole picture again.
@@ -41,13 +41,15 @@ class Renderer {
     int count = 0;
   };
 
+  int pixels(float length) const;
   void set_color(Color color, float opacity, bool is_shaded);
   void draw_lines(const std::vector<Eigen::Vector3f>& points_W, Color color, unsigned int how);
 
   unsigned int program_ = 0;
   std::array<Buffer, kMeshes> meshes_;
   Buffer lines_;
-  int picture_height_ = 0;
+  float picture_height_ = 0.0f;
+  float scale_ = 1.0f;
   Matrix4f view_projection_ = Matrix4f::Identity();
 };
 

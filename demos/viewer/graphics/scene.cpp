@@ -12,7 +12,7 @@ constexpr Color kOtherColor{0xA8, 0xA8, 0xA4};
 constexpr Color kGroundColor{0xD8, 0xD8, 0xD2};
 constexpr Color kGridColor{0xB4, 0xB4, 0xAE};
 constexpr Color kPlaneColor{0xE6, 0xD8, 0xA8};
-constexpr double kRoom = 1.55;       // about a body, for its arrows
+constexpr double kRoom = 1.7;        // about a body, for its arrows
 constexpr double kSideBySide = 0.8;  // several bodies do not fill a ball
 constexpr double kArrowThickness = 0.025;
 constexpr double kEllipsoidSize = 1.45;
@@ -98,7 +98,7 @@ void Scene::draw(Renderer& renderer, const Simulation& simulation, std::size_t i
     draw_body(renderer, drawn_[other + 1], pose.R_WB, pose.position_W, kOtherColor);
   }
   for (const Arrow& arrow : arrows(simulation, index, is_teaching)) {
-    draw_arrow(renderer, arrow, kArrowThickness * reach_);
+    draw_arrow(renderer, arrow, arrow.thickness * kArrowThickness * reach_);
   }
   if (constraint_) draw_pivot(renderer, snapshot);
   const bool hides_all = snapshot.sample.det_R() > kSwollen;

@@ -14,7 +14,6 @@ namespace {
 
 constexpr float kPanelWidth = 310.0f;
 constexpr float kPlotsPart = 0.34f;
-constexpr float kStatusHeight = 24.0f;
 
 }  // namespace
 
@@ -22,14 +21,14 @@ Frame::Frame(Session& session, ViewState& view) : session_(session), view_(view)
   follow_session();
 }
 
-void Frame::draw(int width, int height) {
+void Frame::draw(int width, int height, float scale) {
   follow_session();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui::NewFrame();
   lay_out(static_cast<float>(width), static_cast<float>(height));
   draw_panels(static_cast<float>(width), static_cast<float>(height));
   follow_session();  // a panel may have started it over
-  renderer_.clear(width, height);
+  renderer_.clear(width, height, scale);
   draw_views();
   ImGui::Render();
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
@@ -53,8 +52,8 @@ void Frame::follow_session() {
 void Frame::lay_out(float width, float height) {
   const float left = view_.has_panels ? kPanelWidth : 0.0f;
   const float plots = view_.has_panels ? kPlotsPart * height : 0.0f;
-  status_ = {left, 0.0f, width - left, kStatusHeight};
-  views_ = {left, kStatusHeight, width - left, height - kStatusHeight - plots};
+  status_ = {left, 0.0f, width - left, status_height(session_, width - left)};
+  views_ = {left, status_.height, width - left, height - status_.height - plots};
 }
 
 void Frame::draw_panels(float width, float height) {

@@ -14,8 +14,9 @@ class Frame {
  public:
   Frame(Session& session, ViewState& view);
 
-  /// Into whatever framebuffer is bound. The platform's part of Dear ImGui's frame has begun.
-  void draw(int width, int height);
+  /// Into whatever framebuffer is bound, which has `scale` pixels to each unit of width and height. The
+  /// platform's part of Dear ImGui's frame has begun.
+  void draw(int width, int height, float scale = 1.0f);
   /// The camera as at the start.
   void reset_camera();
   /// Where the contenders' views were drawn.

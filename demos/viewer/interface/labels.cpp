@@ -14,16 +14,14 @@ namespace {
 
 constexpr float kMargin = 8.0f;
 constexpr float kChip = 13.0f;
+constexpr float kLine = 16.0f;
+constexpr float kStatusLine = 24.0f;
+constexpr char kHelpHint[] = "H: keys";
 /// The name of a shorter arrow would hide it.
 constexpr double kShortestNamed = 0.08;
 
 void write(float left, float top, Color color, const std::string& text) {
   ImGui::GetBackgroundDrawList()->AddText({left, top}, im_color(color), text.c_str());
-}
-
-void write_right(const Rectangle& area, float top, Color color, const std::string& text) {
-  const float width = ImGui::CalcTextSize(text.c_str()).x;
-  write(area.left + area.width - kMargin - width, top, color, text);
 }
 
 /// On a light ground, since it may lie over a body.
@@ -66,25 +64,37 @@ void draw_arrow_names(const Simulation& simulation, const Scene& scene, const Or
   }
 }
 
-std::string state_text(const Simulation& simulation, std::size_t index) {
+std::vector<std::string> state_texts(const Simulation& simulation, std::size_t index) {
   const Sample& sample = simulation.shown(index).sample;
+  std::vector<std::string> texts;
   const std::optional<double> error = energy_error(sample, simulation.run(index).start());
-  std::string text;
-  if (error) text += "E/E0-1 " + short_number_text(*error, 3);
+  if (error) texts.push_back("E/E0-1 " + short_number_text(*error, 3));
   if (sample.attitude_error_rad) {
-    text += (text.empty() ? "" : "  ") + std::string("attitude error ") +
-            short_number_text(*sample.attitude_error_rad, 3) + " rad";
+    texts.push_back("attitude error " + short_number_text(*sample.attitude_error_rad, 3) + " rad");
   }
   const double det_R = sample.det_R();
-  if (std::abs(det_R - 1.0) > 1e-6) text += "  det R " + short_number_text(det_R, 4);
-  return text;
+  if (std::abs(det_R - 1.0) > 1e-6) texts.push_back("det R " + short_number_text(det_R, 4));
+  return texts;
 }
 
+/// In one line if there is room for it, else in one line each, at the bottom of a view.
+void draw_state(const Rectangle& viewport, std::vector<std::string> texts) {
+  std::string joined;
+  for (const std::string& text : texts) joined += (joined.empty() ? "" : "  ") + text;
+  if (ImGui::CalcTextSize(joined.c_str()).x < viewport.width - 2.0f * kMargin) texts = {joined};
+  float top = viewport.top + viewport.height - kMargin + 2.0f;
+  for (auto text = texts.rbegin(); text != texts.rend(); ++text) {
+    top -= kLine;
+    write_on_paper(viewport.left + kMargin, top, kFaintInk, *text);
+  }
+}
+
+/// Below the name, at the right.
 void draw_legend(const Rectangle& viewport, float top) {
-  const float width = ImGui::CalcTextSize("polhode  herpolhode").x;
-  const float left = viewport.left + viewport.width - kMargin - width;
-  write_on_paper(left, top, kPolhodeColor, "polhode");
-  write_on_paper(left + ImGui::CalcTextSize("polhode  ").x, top, kHerpolhodeColor, "herpolhode");
+  const float right = viewport.left + viewport.width - kMargin;
+  write_on_paper(right - ImGui::CalcTextSize("polhode").x, top + kLine, kPolhodeColor, "polhode");
+  write_on_paper(right - ImGui::CalcTextSize("herpolhode").x, top + 2.0f * kLine, kHerpolhodeColor,
+                 "herpolhode");
 }
 
 void draw_chip(float left, float top, std::size_t index) {
@@ -93,6 +103,17 @@ void draw_chip(float left, float top, std::size_t index) {
   list.AddRectFilled({left, top}, {left + kChip, top + kChip}, im_color(contender_color(index)));
   if (!is_dashed(index)) return;
   list.AddRectFilled({left + 5.0f, top}, {left + 8.0f, top + kChip}, im_color(kPaper));
+}
+
+std::string status_text(const Session& session) {
+  const Simulation& simulation = session.simulation();
+  const Scenario& scenario = simulation.scenario();
+  std::string text = scenario.name + "   t = " + short_number_text(simulation.shown_t_s(), 6) + " s   step " +
+                     number_text(simulation.shown_step()) + "   dt = " + short_number_text(scenario.dt, 4) +
+                     " s   speed x" + short_number_text(session.clock().speed(), 4) + "   " +
+                     (session.is_running() ? "running" : "paused");
+  if (session.is_late()) text += " (slower than asked: too much to compute)";
+  return text;
 }
 
 }  // namespace
@@ -109,40 +130,36 @@ void draw_labels(const Session& session, const Scene& scene, const OrbitCamera& 
   if (is_teaching) draw_legend(viewport, top);
   draw_chip(left, top, index);
   write_on_paper(left + kChip + 6.0f, top, kInk, simulation.run(index).contender().name);
-  write_on_paper(left, viewport.top + viewport.height - kMargin - kChip, kFaintInk,
-                 state_text(simulation, index));
+  draw_state(viewport, state_texts(simulation, index));
   if (simulation.has_diverged(index)) {
     const double t_s =
         static_cast<double>(simulation.run(index).diverged_at_step().value()) * simulation.scenario().dt;
-    write_on_paper(left, top + 1.5f * kChip, kWarning,
-                   "diverged at t = " + short_number_text(t_s, 6) + " s; last sound state");
+    write_on_paper(left, top + kLine, kWarning, "diverged at t = " + short_number_text(t_s, 6) + " s");
   }
   list.AddRect({viewport.left, viewport.top},
                {viewport.left + viewport.width, viewport.top + viewport.height}, im_color(kRule));
   list.PopClipRect();
 }
 
-void draw_status(const Session& session, const Rectangle& line) {
-  const Simulation& simulation = session.simulation();
-  const Scenario& scenario = simulation.scenario();
+float status_height(const Session& session, float width) {
+  const std::string text = status_text(session) + kHelpHint + session.notice();
+  const bool fits = ImGui::CalcTextSize(text.c_str()).x + 8.0f * kMargin < width;
+  return fits ? kStatusLine : kStatusLine + kLine;
+}
+
+void draw_status(const Session& session, const Rectangle& area) {
   ImGui::GetBackgroundDrawList()->AddRectFilled(
-      {line.left, line.top}, {line.left + line.width, line.top + line.height}, im_color(kPaper));
-  std::string text = scenario.name + "   t = " + short_number_text(simulation.shown_t_s(), 6) + " s   step " +
-                     number_text(simulation.shown_step()) + "   dt = " + short_number_text(scenario.dt, 4) +
-                     " s   speed x" + short_number_text(session.clock().speed(), 4) + "   " +
-                     (session.is_running() ? "running" : "paused");
-  if (session.is_late()) text += " (slower than asked: too much to compute)";
-  const float top = line.top + 0.5f * (line.height - ImGui::GetTextLineHeight());
-  write(line.left + kMargin, top, kInk, text);
-  const std::string help = "H: keys";
-  write_right(line, top, kFaintInk, help);
-  const float used = ImGui::CalcTextSize((text + help).c_str()).x + 6.0f * kMargin;
-  if (ImGui::CalcTextSize(session.notice().c_str()).x + used < line.width) {
-    write(line.left + ImGui::CalcTextSize(text.c_str()).x + 4.0f * kMargin, top, kWarning, session.notice());
-    return;
+      {area.left, area.top}, {area.left + area.width, area.top + area.height}, im_color(kPaper));
+  const std::string text = status_text(session);
+  const float top = area.top + 0.5f * (kStatusLine - ImGui::GetTextLineHeight());
+  write(area.left + kMargin, top, kInk, text);
+  const float hint_width = ImGui::CalcTextSize(kHelpHint).x;
+  write(area.left + area.width - kMargin - hint_width, top, kFaintInk, kHelpHint);
+  if (area.height > kStatusLine) {
+    write(area.left + kMargin, top + kLine, kWarning, session.notice());
+  } else {
+    write(area.left + ImGui::CalcTextSize(text.c_str()).x + 4.0f * kMargin, top, kWarning, session.notice());
   }
-  // It gets a line of its own over the views.
-  write_on_paper(line.left + kMargin, line.top + line.height + 2.0f, kWarning, session.notice());
 }
 
 }  // namespace polhode::demos

@@ -10,7 +10,8 @@ namespace polhode::demos {
 void draw_labels(const Session& session, const Scene& scene, const OrbitCamera& camera, bool is_teaching,
                  const Rectangle& viewport, std::size_t index);
 
-/// The line above the views: time, speed and what is to be said.
-void draw_status(const Session& session, const Rectangle& line);
+/// What stands above the views: time, speed and what is to be said, that in a line of its own if it is long.
+float status_height(const Session& session, float width);
+void draw_status(const Session& session, const Rectangle& area);
 
 }  // namespace polhode::demos

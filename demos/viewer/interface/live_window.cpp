@@ -136,10 +136,13 @@ class LiveWindow {
     int width = 0;
     int height = 0;
     glfwGetWindowSize(window_.handle(), &width, &height);
+    int width_pixels = 0;
+    int height_pixels = 0;
+    glfwGetFramebufferSize(window_.handle(), &width_pixels, &height_pixels);
     if (width == 0 || height == 0) return glfwWaitEventsTimeout(0.1);  // hidden
     ImGui_ImplGlfw_NewFrame();
-    frame_->draw(width, height);
-    if (view_.wanted_png) write_picture(width, height);
+    frame_->draw(width, height, static_cast<float>(width_pixels) / static_cast<float>(width));
+    if (view_.wanted_png) write_picture(width_pixels, height_pixels);
     glfwSwapBuffers(window_.handle());
   }
 

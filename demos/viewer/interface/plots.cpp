@@ -44,7 +44,7 @@ void draw_ticks(ImDrawList& list, const Axes& axes, bool is_logarithmic) {
     if (is_logarithmic && value != std::round(value)) continue;
     const float y = axes.at(axes.t_s.lowest, value).y;
     const std::string text =
-        is_logarithmic ? "1e" + short_number_text(value, 3) : short_number_text(value, 6);
+        is_logarithmic ? "1e" + short_number_text(value, 3) : short_number_text(value, 7);
     if (text == previous) continue;  // of a line that only rounding bends
     previous = text;
     list.AddLine({frame.left, y}, {frame.left + frame.width, y}, im_color(kRule, 0.6f));

@@ -2,6 +2,7 @@
 
 #include <imgui/backends/imgui_impl_opengl3.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace polhode::demos {
@@ -27,7 +28,7 @@ Gui::~Gui() {
 }
 
 ImU32 im_color(Color color, float opacity) {
-  return IM_COL32(color.red, color.green, color.blue, static_cast<int>(255.0f * opacity + 0.5f));
+  return IM_COL32(color.red, color.green, color.blue, static_cast<int>(std::lround(255.0f * opacity)));
 }
 
 }  // namespace polhode::demos

@@ -10,7 +10,8 @@ namespace polhode::demos {
 namespace {
 
 constexpr double kAxisLength = 1.15;
-constexpr double kUsualLength = 1.6;
+constexpr double kOmegaLength = 1.6;
+constexpr double kMomentumLength = 1.3;
 constexpr double kGreatestLength = 2.2;
 
 constexpr Color kAxisColors[] = {{0xB0, 0x30, 0x30}, {0x2E, 0x80, 0x2E}, {0x30, 0x48, 0xB8}};
@@ -18,12 +19,12 @@ constexpr Color kOmegaColor{0x10, 0x10, 0x10};
 constexpr Color kMomentumColor{0xA0, 0x10, 0xA0};
 
 /// In radii: what was there at the start is shown at its usual length.
-double length_of(const Vector3& vector_W, const Vector3& start_W) {
+double length_of(const Vector3& vector_W, const Vector3& start_W, double usual) {
   const double norm = vector_W.norm();
   if (norm == 0.0) return 0.0;
   const double start_norm = start_W.norm();
-  if (start_norm == 0.0) return kUsualLength;
-  return std::min(kUsualLength * norm / start_norm, kGreatestLength);
+  if (start_norm == 0.0) return usual;
+  return std::min(usual * norm / start_norm, kGreatestLength);
 }
 
 }  // namespace
@@ -38,10 +39,11 @@ std::vector<Arrow> arrows_of(const Sample& sample, const Sample& start, double r
   }
   const Vector3& omega_W = sample.state.omega_W;
   const Vector3& L_W = sample.state.L_W;
-  arrows.push_back({"omega", from_W, length_of(omega_W, start.state.omega_W) * radius * omega_W.normalized(),
+  arrows.push_back({"omega", from_W,
+                    length_of(omega_W, start.state.omega_W, kOmegaLength) * radius * omega_W.normalized(),
                     kOmegaColor});
-  arrows.push_back(
-      {"L", from_W, length_of(L_W, start.state.L_W) * radius * L_W.normalized(), kMomentumColor});
+  arrows.push_back({"L", from_W, length_of(L_W, start.state.L_W, kMomentumLength) * radius * L_W.normalized(),
+                    kMomentumColor, 1.4});
   return arrows;
 }
 

@@ -12,10 +12,12 @@ struct Arrow {
   Vector3 from_W;
   Vector3 along_W;  ///< its whole length, m
   Color color;
+  double thickness = 1.0;  ///< of the usual one
 };
 
-/// The axes of the body, omega and L as they are shown. `radius` is the body's, m. omega and L are as long as
-/// 1.6 radii where they have the length they started with, and no longer than 2.2.
+/// The axes of the body, omega and L as they are shown. `radius` is the body's, m. omega is as long as 1.6
+/// radii where it has the length it started with, L as 1.3, and neither is longer than 2.2. L is the thicker
+/// one, so that both are seen where they are parallel.
 std::vector<Arrow> arrows_of(const Sample& sample, const Sample& start, double radius);
 
 /// How far the body reaches from its centre of mass, m.

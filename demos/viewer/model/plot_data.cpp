@@ -88,7 +88,7 @@ Range value_range(const std::vector<Curve>& curves) {
     shown.highest = std::max(shown.highest, std::min(one.highest, centre + reach));
   }
   // What differs by rounding alone is drawn as a straight line.
-  const double least = std::max(1e-9 * std::abs(centre), 1e-12);
+  const double least = std::max(1e-5 * std::abs(centre), 1e-12);
   const double margin = std::max(kMargin * (shown.highest - shown.lowest), least);
   return {shown.lowest - margin, shown.highest + margin};
 }

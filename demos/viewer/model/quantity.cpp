@@ -29,7 +29,7 @@ std::optional<double> value_of(Quantity quantity, const Sample& sample, const Sa
       return sample.state.L_W.norm();
     case Quantity::momentum_angle:
       return momentum_angle_rad(sample, start);
-    case Quantity::det_R:
+    case Quantity::determinant:
       return sample.det_R();
     case Quantity::attitude_error:
       return sample.attitude_error_rad;

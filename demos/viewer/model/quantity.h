@@ -8,7 +8,16 @@
 namespace polhode::demos {
 
 /// What is plotted over time.
-enum class Quantity { energy, energy_x, energy_y, energy_z, momentum, momentum_angle, det_R, attitude_error };
+enum class Quantity {
+  energy,
+  energy_x,
+  energy_y,
+  energy_z,
+  momentum,
+  momentum_angle,
+  determinant,
+  attitude_error
+};
 
 struct QuantityDescription {
   Quantity quantity;
@@ -22,7 +31,7 @@ inline constexpr std::array<QuantityDescription, 8> kQuantities = {
      {Quantity::momentum, "|L|", "kg m^2/s", false},
      {Quantity::momentum_angle, "turn of L", "rad", false},
      {Quantity::attitude_error, "attitude error", "rad", true},
-     {Quantity::det_R, "det R", "1", false},
+     {Quantity::determinant, "det R", "1", false},
      {Quantity::energy_x, "energy about body x", "J", false},
      {Quantity::energy_y, "energy about body y", "J", false},
      {Quantity::energy_z, "energy about body z", "J", false}}};
