@@ -7,21 +7,21 @@ namespace polhode::demos {
 
 namespace {
 
-constexpr double kHalfFieldOfView_rad = 0.35;
-constexpr double kHighestElevation_rad = 1.55;
+constexpr double kHalfFieldOfView = 0.35;   // rad
+constexpr double kHighestElevation = 1.55;  // rad
 constexpr double kZoomRange = 100.0;
 
 }  // namespace
 
 void OrbitCamera::look_at(const Vector3& target_W, double radius) {
   target_W_ = target_W;
-  nominal_distance_ = radius / std::sin(kHalfFieldOfView_rad);
+  nominal_distance_ = radius / std::sin(kHalfFieldOfView);
   distance_ = nominal_distance_;
 }
 
 void OrbitCamera::orbit(double azimuth_rad, double elevation_rad) {
   azimuth_rad_ = std::remainder(azimuth_rad_ + azimuth_rad, 2.0 * M_PI);
-  elevation_rad_ = std::clamp(elevation_rad_ + elevation_rad, -kHighestElevation_rad, kHighestElevation_rad);
+  elevation_rad_ = std::clamp(elevation_rad_ + elevation_rad, -kHighestElevation, kHighestElevation);
 }
 
 void OrbitCamera::zoom(double factor) {
@@ -49,7 +49,7 @@ Matrix4f OrbitCamera::projection(double aspect) const {
   const double near_plane = 0.02 * distance_;
   const double far_plane = 200.0 * distance_;
   // The narrower side of the view has the field of view, so that a high and narrow one cuts nothing off.
-  const double scale = std::min(aspect, 1.0) / std::tan(kHalfFieldOfView_rad);
+  const double scale = std::min(aspect, 1.0) / std::tan(kHalfFieldOfView);
   Matrix4f result = Matrix4f::Zero();
   result(0, 0) = static_cast<float>(scale / aspect);
   result(1, 1) = static_cast<float>(scale);

@@ -8,12 +8,12 @@ namespace polhode::demos {
 namespace {
 
 /// After a hitch the view goes on from where it was instead of racing after the time that was lost.
-constexpr double kLongestFrame_s = 0.1;
+constexpr double kLongestFrame = 0.1;  // s
 
 }  // namespace
 
 std::int64_t PlaybackClock::steps_due(double real_s, double dt_s) {
-  owed_s_ += std::clamp(real_s, 0.0, kLongestFrame_s) * speed_;
+  owed_s_ += std::clamp(real_s, 0.0, kLongestFrame) * speed_;
   const double steps = std::floor(owed_s_ / dt_s);
   owed_s_ = std::max(0.0, owed_s_ - steps * dt_s);
   return static_cast<std::int64_t>(steps);

@@ -30,8 +30,9 @@ Rectangle grid_cell_of_columns(const Rectangle& area, std::size_t index, std::si
                                std::size_t rows) {
   const float width = area.width / static_cast<float>(columns);
   const float height = area.height / static_cast<float>(rows);
+  const std::size_t row = index / columns;
   return {area.left + width * static_cast<float>(index % columns),
-          area.top + height * static_cast<float>(index / columns), width, height};
+          area.top + height * static_cast<float>(row), width, height};
 }
 
 }  // namespace polhode::demos
