@@ -92,8 +92,7 @@ POLHODE_INLINE Eigen::Quaternion<Real, Eigen::DontAlign> turn_of(const Substep<R
                           step.mu[2] * (L[2] + next[2])};
   const Real e0 = sqrt(0.5 + sqrt(0.25 - (square(v[0]) + square(v[1]) + square(v[2]))));
   const Eigen::Matrix<Real, 3, 1> v_B = in_body(axes, v);
-  const Real per_e0 = 1.0 / e0;
-  return {e0, v_B[0] * per_e0, v_B[1] * per_e0, v_B[2] * per_e0};
+  return {e0, v_B[0] / e0, v_B[1] / e0, v_B[2] / e0};
 }
 
 }  // namespace polhode::free_top
