@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Puts the sources of each target together for clang-tidy, which takes longest over the headers that they share.
+
+  lint_batches.py COMPILE_COMMANDS DIRECTORY
+
+Writes DIRECTORY/compile_commands.json: sources that can be compiled as one in a batch, others (the same name in two
+unnamed namespaces, say) one by one. A source that is compiled for both of Bullet's precisions is checked once, a
+generated one not at all.
+"""
+import collections
+import concurrent.futures
+import json
+import os
+import re
+import shlex
+import subprocess
+import sys
+
+BATCH_SIZE = 8
+
+
+def once_each(commands, generated):
+    """The last command of each source that is not below the folder `generated`."""
+    once = {command["file"]: command for command in commands}
+    return [command for file, command in once.items() if not file.startswith(generated)]
+
+
+def by_target(commands):
+    """Commands of the same target and flags, those without "-o OUTPUT -c SOURCE"."""
+    targets = collections.defaultdict(list)
+    for command in commands:
+        flags, target = re.fullmatch(r"(.*) -o (\S+)\.dir/\S+ -c \S+", command["command"]).groups()
+        targets[target, flags].append(command)
+    return targets
+
+
+def batch(flags, members, path):
+    """The command of one source, written to `path`, that includes those of `members`."""
+    with open(path, "w") as source:
+        for member in members:
+            source.write(f'#include "{member["file"]}"  // NOLINT: not a header\n')
+    return {"directory": members[0]["directory"], "file": path, "command": f"{flags} -c {path}"}
+
+
+def those_in_the_way(command):
+    """The sources in which clang finds errors when a batch is compiled."""
+    compiler = ["clang++", "-fsyntax-only", "-w", "-ferror-limit=0"] + shlex.split(command["command"])[1:]
+    messages = subprocess.run(compiler, cwd=command["directory"], capture_output=True, text=True).stderr
+    return set(re.findall(r"^(\S+?):\d+:\d+: (?:fatal )?error:", messages, re.MULTILINE))
+
+
+def batches_of(numbered_target, directory):
+    number, ((_, flags), members) = numbered_target
+    in_the_way = those_in_the_way(batch(flags, members, f"{directory}/target_{number}.cpp"))
+    alone = [member for member in members if member["file"] in in_the_way]
+    together = [member for member in members if member["file"] not in in_the_way]
+    chunks = [together[first:first + BATCH_SIZE] for first in range(0, len(together), BATCH_SIZE)]
+    return alone + [batch(flags, chunk, f"{directory}/target_{number}_{index}.cpp")
+                    for index, chunk in enumerate(chunks)]
+
+
+def main():
+    commands_file, directory = sys.argv[1], os.path.abspath(sys.argv[2])
+    os.makedirs(directory, exist_ok=True)
+    with open(commands_file) as file:
+        commands = json.load(file)
+    targets = by_target(once_each(commands, os.path.dirname(directory) + os.sep))
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
+        batches = workers.map(lambda target: batches_of(target, directory), enumerate(targets.items()))
+        with open(f"{directory}/compile_commands.json", "w") as file:
+            json.dump([command for some in batches for command in some], file, indent=1)
+
+
+if __name__ == "__main__":
+    main()
