@@ -1,11 +1,12 @@
 "use strict";
 
-// One colour per contender, the same everywhere: those of Okabe and Ito, which colour-blind people can tell apart, made
-// darker or lighter where they would be lost on the page's background. Beyond eight, lines are dashed.
+// One colour per contender, the same everywhere, on a light background also in polhode_viewer: those of Okabe and Ito, which
+// colour-blind people can tell apart, made darker or lighter where they would be lost, and the last two added to them.
+// Where there are more contenders than colours, lines are dashed.
 
 const kColours = {
-  light: ["#0072b2", "#d55e00", "#009e73", "#cc5fa0", "#3ba3e0", "#d98e00", "#3c4147", "#998a00"],
-  dark: ["#3d9be0", "#f07a28", "#12b886", "#e08fc0", "#8fd0f7", "#f0b030", "#ffffff", "#f0e442"],
+  light: ["#0072b2", "#d55e00", "#009e73", "#cc5fa0", "#3ba3e0", "#d98e00", "#3c4147", "#998a00", "#882255"],
+  dark: ["#3d9be0", "#f07a28", "#12b886", "#e08fc0", "#8fd0f7", "#f0b030", "#ffffff", "#f0e442", "#c2406e"],
 };
 const kDashes = [[], [7, 4], [2, 3]];
 
@@ -27,10 +28,11 @@ const palette = {
     return kInks[this.theme];
   },
   colour(number) {
-    return kColours[this.theme][number % 8];
+    const colours = kColours[this.theme];
+    return colours[number % colours.length];
   },
   dash(number) {
-    return kDashes[Math.floor(number / 8) % kDashes.length];
+    return kDashes[Math.floor(number / kColours.light.length) % kDashes.length];
   },
 
   /** Colours that elements take from the style sheet follow the theme by themselves. */

@@ -12,16 +12,16 @@ struct Color {
   std::uint8_t blue;
 };
 
-/// Okabe and Ito's colours, which colour-blind people can tell apart, on a light ground; the last three are
-/// added to them.
+/// Okabe and Ito's colours, which colour-blind people can tell apart, made darker where they would be lost on
+/// a light ground; the last two are added to them. The same as those of a report's page, see its palette.js.
 inline constexpr std::array<Color, 9> kContenderColors = {{{0x00, 0x72, 0xB2},
                                                            {0xD5, 0x5E, 0x00},
                                                            {0x00, 0x9E, 0x73},
-                                                           {0xCC, 0x79, 0xA7},
-                                                           {0x56, 0xB4, 0xE9},
-                                                           {0xE6, 0x9F, 0x00},
-                                                           {0x40, 0x40, 0x40},
-                                                           {0x8F, 0x8A, 0x00},
+                                                           {0xCC, 0x5F, 0xA0},
+                                                           {0x3B, 0xA3, 0xE0},
+                                                           {0xD9, 0x8E, 0x00},
+                                                           {0x3C, 0x41, 0x47},
+                                                           {0x99, 0x8A, 0x00},
                                                            {0x88, 0x22, 0x55}}};
 
 /// The paths of omega in the teaching view.

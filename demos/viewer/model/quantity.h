@@ -31,7 +31,7 @@ inline constexpr std::array<QuantityDescription, 8> kQuantities = {
      {Quantity::momentum, "|L|", "kg m^2/s", false},
      {Quantity::momentum_angle, "turn of L", "rad", false},
      {Quantity::attitude_error, "attitude error", "rad", true},
-     {Quantity::determinant, "det R", "1", false},
+     {Quantity::determinant, "det R", "no unit", false},
      {Quantity::energy_x, "energy about body x", "J", false},
      {Quantity::energy_y, "energy about body y", "J", false},
      {Quantity::energy_z, "energy about body z", "J", false}}};
