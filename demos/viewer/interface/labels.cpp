@@ -1,5 +1,6 @@
 #include "viewer/interface/labels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -32,18 +33,26 @@ void write_on_paper(float left, float top, Color color, const std::string& text)
   write(left, top, color, text);
 }
 
-/// Below the others, if it would lie on one of them.
-Rectangle beside(const std::vector<Rectangle>& others, Rectangle label) {
+/// Between the texts at the top and at the bottom of a view; below others that it would lie on, or right of
+/// them where there is no room below.
+Rectangle place(Rectangle label, const Rectangle& free, const std::vector<Rectangle>& others) {
+  const float lowest = free.top + free.height - label.height;
+  label.top = std::max(free.top, std::min(label.top, lowest));
   for (const Rectangle& other : others) {
     const bool is_apart = label.left >= other.left + other.width || other.left >= label.left + label.width ||
                           label.top >= other.top + other.height || other.top >= label.top + label.height;
-    if (!is_apart) label.top = other.top + other.height;
+    if (is_apart) continue;
+    if (other.top + other.height <= lowest) {
+      label.top = other.top + other.height;
+    } else {
+      label.left = other.left + other.width;
+    }
   }
   return label;
 }
 
 void draw_arrow_names(const Simulation& simulation, const Scene& scene, const OrbitCamera& camera,
-                      bool is_teaching, const Rectangle& viewport, std::size_t index) {
+                      bool is_teaching, const Rectangle& viewport, const Rectangle& free, std::size_t index) {
   const Matrix4f view_projection = camera.projection(viewport.width / viewport.height) * camera.view();
   std::vector<Rectangle> placed;
   for (const Arrow& arrow : scene.arrows(simulation, index, is_teaching)) {
@@ -52,13 +61,12 @@ void draw_arrow_names(const Simulation& simulation, const Scene& scene, const Or
     const Vector3 tip_W = arrow.from_W + 1.08 * arrow.along_W;
     if (!project(view_projection, tip_W, {viewport.width, viewport.height}, pixel)) continue;
     const ImVec2 size = ImGui::CalcTextSize(arrow.name);
-    const Rectangle label =
-        beside(placed, {viewport.left + pixel.x() - 0.5f * size.x, viewport.top + pixel.y() - 0.5f * size.y,
-                        size.x + 4.0f, size.y + 2.0f});
-    if (!viewport.contains(label.left, label.top) ||
-        !viewport.contains(label.left + label.width, label.top + label.height)) {
-      continue;
-    }
+    const Rectangle wanted{viewport.left + pixel.x() - 0.5f * size.x,
+                           viewport.top + pixel.y() - 0.5f * size.y, size.x + 4.0f, size.y + 2.0f};
+    const bool is_in_view = viewport.contains(wanted.left, wanted.top) &&
+                            viewport.contains(wanted.left + wanted.width, wanted.top + wanted.height);
+    if (!is_in_view) continue;
+    const Rectangle label = place(wanted, free, placed);
     placed.push_back(label);
     write_on_paper(label.left, label.top, arrow.color, arrow.name);
   }
@@ -77,8 +85,9 @@ std::vector<std::string> state_texts(const Simulation& simulation, std::size_t i
   return texts;
 }
 
-/// In one line if there is room for it, else in one line each, at the bottom of a view.
-void draw_state(const Rectangle& viewport, std::vector<std::string> texts) {
+/// In one line if there is room for it, else in one line each, at the bottom of a view. Returns where it
+/// begins.
+float draw_state(const Rectangle& viewport, std::vector<std::string> texts) {
   std::string joined;
   for (const std::string& text : texts) joined += (joined.empty() ? "" : "  ") + text;
   if (ImGui::CalcTextSize(joined.c_str()).x < viewport.width - 2.0f * kMargin) texts = {joined};
@@ -87,6 +96,7 @@ void draw_state(const Rectangle& viewport, std::vector<std::string> texts) {
     top -= kLine;
     write_on_paper(viewport.left + kMargin, top, kFaintInk, *text);
   }
+  return top;
 }
 
 /// Below the name, at the right.
@@ -126,11 +136,13 @@ void draw_labels(const Session& session, const Scene& scene, const OrbitCamera& 
   const float top = viewport.top + kMargin;
   list.PushClipRect({viewport.left, viewport.top},
                     {viewport.left + viewport.width, viewport.top + viewport.height});
-  draw_arrow_names(simulation, scene, camera, is_teaching, viewport, index);
+  const float title_end = top + (simulation.has_diverged(index) ? 2.0f : 1.0f) * kLine;
+  const float state_begin = draw_state(viewport, state_texts(simulation, index));
+  const Rectangle free{viewport.left, title_end, viewport.width, state_begin - title_end};
+  draw_arrow_names(simulation, scene, camera, is_teaching, viewport, free, index);
   if (is_teaching) draw_legend(viewport, top);
   draw_chip(left, top, index);
   write_on_paper(left + kChip + 6.0f, top, kInk, simulation.run(index).contender().name);
-  draw_state(viewport, state_texts(simulation, index));
   if (simulation.has_diverged(index)) {
     const double t_s =
         static_cast<double>(simulation.run(index).diverged_at_step().value()) * simulation.scenario().dt;
