@@ -41,7 +41,7 @@ void draw_playback(Session& session) {
 }
 
 void draw_scenarios(Session& session) {
-  const std::string& current = session.simulation().scenario().name;
+  const std::string current = session.simulation().scenario().name;  // its owner may be replaced below
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##scenario", current.c_str())) return;
   attempt(session, [&] {

@@ -1,0 +1,76 @@
+#!/usr/bin/env bash
+# Uses every control of polhode_viewer's panel with a mouse, and looks at the files that it leaves.
+#   every_control.sh VIEWER
+set -euo pipefail
+# shellcheck source=tests/demos/viewer/in_a_window.sh
+source "$(dirname "$0")/in_a_window.sh"
+
+click() { # CONTROL... where the panel has it, in pixels
+  for control in "$@"; do
+    # shellcheck disable=SC2086 # two numbers
+    xdotool mousemove ${place[$control]} mousedown 1
+    sleep 0.1
+    xdotool mouseup 1
+    sleep 0.1
+  done
+}
+
+enter() { # CONTROL TEXT
+  click "$1"
+  xdotool keydown ctrl keydown a # for a frame or two
+  sleep 0.2
+  xdotool keyup a keyup ctrl type --delay 50 "$2"
+  press Tab
+}
+
+expect_in() { # FILE PATTERN
+  if ! grep -Eq "$2" "$1"; then
+    echo "$(basename "$1") does not have $2 but begins" >&2
+    head -c 1000 "$1" >&2
+    exit 1
+  fi
+}
+
+declare -A place=([scenarios]="155 34" [fast_spinner]="60 93" [run]="39 105" [start_over]="117 105"
+  [step_back]="188 105" [step]="246 105" [slower]="32 128" [faster]="90 128" [teaching]="17 151" [follow]="17 174"
+  [exact]="37 218" [matrix]="37 241" [bullet]="37 333" [dt]="100 584" [inertia]="52 624" [omega]="52 664"
+  [apply]="81 687" [undo]="181 687" [csv_file]="97 731" [write_csv]="231 731" [png_file]="97 754" [write_png]="231 754"
+  [recording_file]="97 777" [record]="220 777")
+
+cd "$directory"
+open_viewer --contender exact --width 1100 --height 900 --record closed.txt
+click step step step step_back teaching follow slower faster faster
+click matrix bullet matrix step step write_csv write_png record
+expect_in polhode_run.txt '"contenders":\["exact","bullet"\].*"dt":0.03'
+expect_steps polhode_run.txt 2 2
+expect_in polhode.csv '^exact,2,'
+expect_in polhode.csv '^bullet,2,'
+[ "$(head -c 8 polhode.png | od -An -tx1)" = " 89 50 4e 47 0d 0a 1a 0a" ]
+
+enter dt 0.5
+click undo apply
+enter dt 0.01
+enter inertia 30
+enter omega 0.25
+click apply step
+enter recording_file changed.txt
+click record
+expect_in changed.txt '"dt":0.01,'
+expect_steps changed.txt 1 1
+
+enter dt 0
+enter csv_file none/such.csv
+enter png_file none/such.png
+click apply write_csv write_png start_over run
+sleep 2
+click run
+enter recording_file played.txt
+click record
+expect_in played.txt '"dt":0.01,'
+expect_steps played.txt 20 2000
+
+click scenarios fast_spinner; press Right
+close_viewer
+expect_in closed.txt '"name":"fast_spinner"'
+expect_steps closed.txt 1 1
+echo "every control does what it should"
