@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "bullet/bullet_replay.h"
 #include "polhode/bullet/precision.h"
 
 /// What formulas of Bullet's that are repeated here are tried with: Bullet may have been built in another way
@@ -56,6 +57,17 @@ class Trials {
   std::minstd_rand generator_;
   std::size_t number_ = 0;
 };
+
+/// Whether `agrees(trials, replay)`, which tries eight bodies, says so as often as that.
+template <class Agrees>
+bool agrees_each_time(std::size_t times, Agrees agrees) {
+  BulletReplay replay;
+  Trials trials;
+  for (std::size_t i = 0; i < times; ++i) {
+    if (!agrees(trials, replay)) return false;
+  }
+  return true;
+}
 
 inline bool same_bits(const btMatrix3x3& a, const btMatrix3x3& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;

@@ -97,7 +97,7 @@ class ManagedBody {
   /// Before the solver. Takes over what the application changed; takes out what is not finite.
   void begin_step();
 
-  /// @name For untouched_bodies.h
+  /// @name For untouched_predictions.h and untouched_step.h
   /// @{
   /// What the application changed, if it did.
   void take_over_changes();

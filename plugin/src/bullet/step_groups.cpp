@@ -1,5 +1,6 @@
 #include "bullet/step_groups.h"
 
+#include "bullet/untouched_step.h"
 #include "lanes/mean_angular_velocity.h"
 
 namespace polhode {
@@ -18,21 +19,18 @@ void StepGroups::begin(ManagedBody& body, btScalar dt) {
     begin_alone(body, dt);
     return;
   }
-  beginning_.add(body);
-  if (beginning_.is_full()) begin_block(dt);
+  beginning_.add(
+      body, [&](const BodyBlock& block) { return begin_together(block, dt); },
+      [&](ManagedBody& touched) { begin_alone(touched, dt); });
 }
 
-void StepGroups::begin_block(btScalar dt) {
-  const Predictions::Begun begun = predictions_of_untouched_.begin(beginning_, dt);
+BlockLanes StepGroups::begin_together(const BodyBlock& block, btScalar dt) {
+  const UntouchedPredictions::Begun begun = predictions_of_untouched_.begin(block, dt);
+  if (!begun.is_begun.all()) return begun.is_begun;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    ManagedBody& body = *beginning_.bodies[lane];
-    if (begun.all) {
-      body.begin_untouched(begun.free_to_turn[lane]);
-    } else {
-      begin_alone(body, dt);
-    }
+    block.bodies[lane]->begin_untouched(begun.free_to_turn[lane]);
   }
-  beginning_.count = 0;
+  return begun.is_begun;
 }
 
 void StepGroups::begin_alone(ManagedBody& body, btScalar dt) {
@@ -50,8 +48,7 @@ void StepGroups::turn_predictions(btScalar dt) {
 
 void StepGroups::complete_predictions(btScalar dt) {
   predictions_of_untouched_.complete(dt);
-  for (std::size_t i = 0; i < beginning_.count; ++i) begin_alone(*beginning_.bodies[i], dt);
-  beginning_.count = 0;
+  beginning_.complete([&](ManagedBody& body) { begin_alone(body, dt); });
   turn_predictions(dt);
 }
 
@@ -63,38 +60,15 @@ void StepGroups::step(ManagedBody& body, btScalar dt, BulletsTurn bullets_turn) 
     step_alone(group, body, bullets_turn);
     return;
   }
-  BodyBlock& block = group.waiting[index(bullets_turn)].maybe_in_place;
-  block.add(body);
-  if (block.is_full()) step_waiting(group, bullets_turn);
+  group.waiting[index(bullets_turn)].add(
+      body, [&](const BodyBlock& block) { return step_together(group, block, bullets_turn); },
+      [&](ManagedBody& touched) { step_alone(group, touched, bullets_turn); });
 }
 
-void StepGroups::step_waiting(Group& group, BulletsTurn bullets_turn) {
-  BodyBlock& block = group.waiting[index(bullets_turn)].maybe_in_place;
+BlockLanes StepGroups::step_together(const Group& group, const BodyBlock& block, BulletsTurn bullets_turn) {
   const BlockLanes in_place = step_untouched(block, bullets_turn, *group.lane_scheme, group.dt);
-  if (in_place.all()) {
-    note_incidents(block);
-  } else {
-    sort(group, bullets_turn, in_place);
-  }
-  block.count = 0;
-}
-
-// Those that are not in place are stepped alone, so that they do not keep the others from going together.
-void StepGroups::sort(Group& group, BulletsTurn bullets_turn, const BlockLanes& in_place) {
-  WaitingBodies& waiting = group.waiting[index(bullets_turn)];
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    ManagedBody& body = *waiting.maybe_in_place.bodies[lane];
-    if (!in_place[lane]) {
-      step_alone(group, body, bullets_turn);
-      continue;
-    }
-    waiting.in_place.add(body);
-    if (waiting.in_place.is_full()) {
-      step_untouched(waiting.in_place, bullets_turn, *group.lane_scheme, group.dt);
-      note_incidents(waiting.in_place);
-      waiting.in_place.count = 0;
-    }
-  }
+  if (in_place.all()) note_incidents(block);
+  return in_place;
 }
 
 void StepGroups::note_incidents(const BodyBlock& block) {
@@ -128,14 +102,10 @@ StepGroups::Group& StepGroups::group_of(const RotationScheme& scheme) {
   return group;
 }
 
-// Of less than eight bodies each is stepped alone.
 void StepGroups::complete(Group& group) {
   for (const BulletsTurn bullets_turn : {BulletsTurn::made, BulletsTurn::left_out}) {
-    WaitingBodies& waiting = group.waiting[index(bullets_turn)];
-    for (BodyBlock* block : {&waiting.maybe_in_place, &waiting.in_place}) {
-      for (std::size_t i = 0; i < block->count; ++i) step_alone(group, *block->bodies[i], bullets_turn);
-      block->count = 0;
-    }
+    group.waiting[index(bullets_turn)].complete(
+        [&](ManagedBody& body) { step_alone(group, body, bullets_turn); });
   }
   complete_pending(group);
 }

@@ -4,8 +4,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "bullet/body_block.h"
 #include "bullet/managed_body.h"
-#include "bullet/untouched_bodies.h"
+#include "bullet/untouched_predictions.h"
+#include "lanes/lane_scheme.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
@@ -32,11 +34,6 @@ class StepGroups {
   static constexpr std::size_t kBodies = 16;
   static constexpr std::size_t kPredictions = 32;
 
-  struct WaitingBodies {
-    BodyBlock maybe_in_place;
-    BodyBlock in_place;
-  };
-
   struct Group {
     const RotationScheme* scheme = nullptr;
     const LaneScheme* lane_scheme = nullptr;  // the same, if it is one
@@ -49,13 +46,12 @@ class StepGroups {
   };
 
   void begin_alone(ManagedBody& body, btScalar dt);
-  void begin_block(btScalar dt);
+  BlockLanes begin_together(const BodyBlock& block, btScalar dt);
   void turn_predictions(btScalar dt);
 
   Group& group_of(const RotationScheme& scheme);
   void step_alone(Group& group, ManagedBody& body, BulletsTurn bullets_turn);
-  void step_waiting(Group& group, BulletsTurn bullets_turn);
-  void sort(Group& group, BulletsTurn bullets_turn, const BlockLanes& in_place);
+  BlockLanes step_together(const Group& group, const BodyBlock& block, BulletsTurn bullets_turn);
   void note_incidents(const BodyBlock& block);
   void complete_pending(Group& group);
   void complete(Group& group);
@@ -66,8 +62,8 @@ class StepGroups {
 
   std::array<Group, kGroups> groups_;
   const bool turns_in_lanes_ = turns_in_lanes();
-  BodyBlock beginning_;
-  Predictions predictions_of_untouched_;
+  WaitingBodies beginning_;
+  UntouchedPredictions predictions_of_untouched_;
   std::array<BasisTurn, kPredictions> predictions_;
   std::size_t prediction_count_ = 0;
   BulletReplay replay_;

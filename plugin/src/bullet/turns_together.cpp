@@ -74,25 +74,20 @@ void turn_in_lanes(const BasisTurn* turns, std::size_t count, btScalar dt) noexc
   if (whole < count) turn_rest(turns + whole, count - whole, dt);
 }
 
-bool lanes_agree_with_bullet() {
-  constexpr std::size_t kBlocksTried = 40;
-  BulletReplay replay;
-  Trials trials;
-  for (std::size_t i = 0; i < kBlocksTried; ++i) {
-    std::array<btMatrix3x3, kLanes> bases;
-    std::array<btVector3, kLanes> omegas_W;
-    std::array<btMatrix3x3, kLanes> results;
-    std::array<BasisTurn, kLanes> turns;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      bases[lane] = trials.basis();
-      omegas_W[lane] = trials.omega_W();
-      turns[lane] = {&bases[lane], &omegas_W[lane], &results[lane]};
-    }
-    const btScalar dt = trials.dt();
-    turn_in_lanes(turns.data(), kLanes, dt);
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (!same_bits(results[lane], replay.turned(bases[lane], omegas_W[lane], dt))) return false;
-    }
+bool turns_agree_with_bullet(Trials& trials, BulletReplay& replay) {
+  std::array<btMatrix3x3, kLanes> bases;
+  std::array<btVector3, kLanes> omegas_W;
+  std::array<btMatrix3x3, kLanes> results;
+  std::array<BasisTurn, kLanes> turns;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    bases[lane] = trials.basis();
+    omegas_W[lane] = trials.omega_W();
+    turns[lane] = {&bases[lane], &omegas_W[lane], &results[lane]};
+  }
+  const btScalar dt = trials.dt();
+  turn_in_lanes(turns.data(), kLanes, dt);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (!same_bits(results[lane], replay.turned(bases[lane], omegas_W[lane], dt))) return false;
   }
   return true;
 }
@@ -100,7 +95,7 @@ bool lanes_agree_with_bullet() {
 }  // namespace
 
 bool turns_in_lanes() {
-  static const bool result = lanes_agree_with_bullet();
+  static const bool result = agrees_each_time(40, turns_agree_with_bullet);
   return result;
 }
 

@@ -1,7 +1,5 @@
 // Bodies in the usual case are stepped eight at once. Each comes out as the only body of a world of its own,
 // which is stepped alone: to the last bit, whatever is done to it or to its neighbours.
-#include "bullet/untouched_bodies.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
