@@ -36,9 +36,24 @@ btRigidBody& add_body(Way& way, int body) {
   return added;
 }
 
+// Else there would soon be no eight bodies left to go together.
+void make_usual_again(btRigidBody& body) {
+  body.setDamping(0, 0);
+  body.setAngularFactor(btVector3(1, 1, 1));
+  body.setInvInertiaDiagLocal(btVector3(1, btScalar(0.5), btScalar(0.25)));
+  body.updateInertiaTensor();
+  body.setCcdMotionThreshold(0);
+  body.forceActivationState(ACTIVE_TAG);
+}
+
+void apply_torque_B(btRigidBody& body, const btVector3& torque_B) {
+  body.applyTorque(body.getWorldTransform().getBasis() * torque_B);
+}
+
 // What an application does before one of the steps; most bodies are left alone in most steps.
 void act_on(btRigidBody& body, int number, int step) {
-  switch ((number * 5 + step * 7) % 61) {
+  if ((number + step) % 20 == 0) make_usual_again(body);
+  switch ((number * 5 + step * 7) % 211) {
     case 1:
       body.applyTorqueImpulse(btVector3(1, 2, btScalar(0.3)));
       break;
@@ -46,7 +61,8 @@ void act_on(btRigidBody& body, int number, int step) {
       body.getWorldTransform().setRotation(btQuaternion(1, 2, 3, 4).normalized());
       break;
     case 3:
-      body.applyTorque(btVector3(10, -20, 5));
+    case 3 + 2 * 7:  // two steps later
+      apply_torque_B(body, btVector3(10, -20, 5));
       break;
     case 4:
       body.setDamping(btScalar(0.1), btScalar(0.2));
@@ -91,7 +107,7 @@ void act_on(btRigidBody& body, int number, int step) {
     case 16:
       body.setLinearVelocity(btVector3(0, NAN, 0));
       break;
-    case 17:
+    case 18:
       body.setHitFraction(btScalar(0.5));
       break;
     default:
