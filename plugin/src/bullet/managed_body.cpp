@@ -163,7 +163,6 @@ bool ManagedBody::is_as_written() const {
 BasisTurn ManagedBody::predict(btScalar dt) {
   if (is_damped()) body_->applyDamping(dt);
   move(body_->getWorldTransform().getOrigin(), dt, body_->getInterpolationWorldTransform().getOrigin());
-  reset_hit_fraction();
   return {&body_->getWorldTransform().getBasis(), &body_->getAngularVelocity(),
           &body_->getInterpolationWorldTransform().getBasis()};
 }

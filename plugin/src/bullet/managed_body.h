@@ -106,7 +106,6 @@ class ManagedBody {
   void begin_untouched(bool is_free_to_turn) {
     clear_flags();
     know_start(is_free_to_turn);
-    reset_hit_fraction();
   }
   /// After the solver: whether step_untouched may stand for the body.
   bool may_be_in_place(BulletsTurn bullets_turn) const {
@@ -225,10 +224,6 @@ class ManagedBody {
   bool is_damped() const {
     return body_->getLinearDamping() != btScalar(0.0) || body_->getAngularDamping() != btScalar(0.0) ||
            has_additional_damping_;
-  }
-  // Written only if it differs, see know_present_place.
-  void reset_hit_fraction() {
-    if (body_->getHitFraction() != btScalar(1.0)) body_->setHitFraction(btScalar(1.0));
   }
   // Written only if they differ, see know_present_place.
   void know_start(bool is_free_to_turn) {

@@ -109,7 +109,7 @@ void act_on(btRigidBody& body, int number, int step) {
     case 16:
       body.setLinearVelocity(btVector3(0, NAN, 0));
       break;
-    case 18:
+    case 19:
       body.setHitFraction(btScalar(0.5));
       break;
     default:
