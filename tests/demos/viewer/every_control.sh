@@ -24,6 +24,7 @@ enter() { # CONTROL TEXT
 }
 
 expect_in() { # FILE PATTERN
+  wait_for "$1"
   if ! grep -Eq "$2" "$1"; then
     echo "$(basename "$1") does not have $2 but begins" >&2
     head -c 1000 "$1" >&2
@@ -38,7 +39,8 @@ declare -A place=([scenarios]="155 34" [fast_spinner]="60 93" [run]="39 105" [st
   [recording_file]="97 777" [record]="220 777")
 
 cd "$directory"
-open_viewer --contender exact --width 1100 --height 900 --record closed.txt
+# Hardly wider than the panel, so that a frame takes no time to draw and each click is seen by one.
+open_viewer --contender exact --width 340 --height 900 --record closed.txt
 click step step step step_back teaching follow slower faster faster
 click matrix bullet matrix step step write_csv write_png record
 expect_in polhode_run.txt '"contenders":\["exact","bullet"\].*"dt":0.03'

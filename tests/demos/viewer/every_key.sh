@@ -6,12 +6,12 @@ set -euo pipefail
 source "$(dirname "$0")/in_a_window.sh"
 
 open_recorded() { # RECORDING [OPTION...]
-  open_viewer --contender exact --width 900 --height 700 --record "$@"
+  open_viewer --contender exact --width 480 --height 360 --record "$@"
 }
 
 open_recorded "$directory/stepped"
 press Left Right Right Right Right Right Left Left h H F1 F1 t T p P f F Home plus minus equal
-xdotool mousemove 600 300 mousedown 1 mousemove_relative 50 20 mouseup 1 click 4 click 5
+xdotool mousemove 400 120 mousedown 1 mousemove_relative 50 20 mouseup 1 click 4 click 5
 close_viewer
 expect_steps "$directory/stepped" 3 3
 

@@ -10,10 +10,17 @@ trap cleanup EXIT
 
 Xvfb -displayfd 3 -screen 0 1280x1024x24 3>"$directory/display" 2>"$directory/xvfb" &
 display_process=$!
-for _ in $(seq 100); do
-  [ ! -s "$directory/display" ] || break
-  sleep 0.1
-done
+
+wait_for() { # FILE
+  for _ in $(seq 100); do
+    [ ! -s "$1" ] || return 0
+    sleep 0.1
+  done
+  echo "there is no $(basename "$1") after ten seconds" >&2
+  exit 1
+}
+
+wait_for "$directory/display"
 DISPLAY=:$(cat "$directory/display")
 export DISPLAY LIBGL_ALWAYS_SOFTWARE=1
 
