@@ -49,14 +49,28 @@ def those_in_the_way(command):
     return set(re.findall(r"^(\S+?):\d+:\d+: (?:fatal )?error:", messages, re.MULTILINE))
 
 
-def batches_of(numbered_target, directory):
-    number, ((_, flags), members) = numbered_target
-    in_the_way = those_in_the_way(batch(flags, members, f"{directory}/target_{number}.cpp"))
-    alone = [member for member in members if member["file"] in in_the_way]
-    together = [member for member in members if member["file"] not in in_the_way]
-    chunks = [together[first:first + BATCH_SIZE] for first in range(0, len(together), BATCH_SIZE)]
-    return alone + [batch(flags, chunk, f"{directory}/target_{number}_{index}.cpp")
-                    for index, chunk in enumerate(chunks)]
+def chunks_of(targets):
+    """Up to BATCH_SIZE sources of one target each, with their flags."""
+    for (_, flags), members in targets.items():
+        members.sort(key=lambda member: member["file"])
+        for first in range(0, len(members), BATCH_SIZE):
+            yield flags, members[first:first + BATCH_SIZE]
+
+
+def commands_of(flags, members, path):
+    """One for all that can be compiled together, and one for each of the others."""
+    alone = []
+    while len(members) > 1:
+        together = batch(flags, members, path)
+        in_the_way = those_in_the_way(together)
+        if not in_the_way:
+            return alone + [together]
+        rest = [member for member in members if member["file"] not in in_the_way]
+        if len(rest) == len(members):  # the error is in a header
+            break
+        alone += [member for member in members if member["file"] in in_the_way]
+        members = rest
+    return alone + members
 
 
 def main():
@@ -64,11 +78,12 @@ def main():
     os.makedirs(directory, exist_ok=True)
     with open(commands_file) as file:
         commands = json.load(file)
-    targets = by_target(once_each(commands, os.path.dirname(directory) + os.sep))
+    chunks = chunks_of(by_target(once_each(commands, os.path.dirname(directory) + os.sep)))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
-        batches = workers.map(lambda target: batches_of(target, directory), enumerate(targets.items()))
-        with open(f"{directory}/compile_commands.json", "w") as file:
-            json.dump([command for some in batches for command in some], file, indent=1)
+        results = [workers.submit(commands_of, flags, members, f"{directory}/batch_{number}.cpp")
+                   for number, (flags, members) in enumerate(chunks)]
+    with open(f"{directory}/compile_commands.json", "w") as file:
+        json.dump([command for result in results for command in result.result()], file, indent=1)
 
 
 if __name__ == "__main__":
