@@ -139,6 +139,11 @@ void act_on(btRigidBody& body, int number, int step) {
       !same(a.getInterpolationAngularVelocity(), b.getInterpolationAngularVelocity())) {
     return ::testing::AssertionFailure() << "interpolated velocity";
   }
+  // Where the pose that was predicted in the step shows.
+  if (!same(a.getBroadphaseHandle()->m_aabbMin, b.getBroadphaseHandle()->m_aabbMin) ||
+      !same(a.getBroadphaseHandle()->m_aabbMax, b.getBroadphaseHandle()->m_aabbMax)) {
+    return ::testing::AssertionFailure() << "bounding box";
+  }
   if (a.getHitFraction() != b.getHitFraction()) return ::testing::AssertionFailure() << "hit fraction";
   if (a.getFlags() != b.getFlags()) return ::testing::AssertionFailure() << "flags";
   return ::testing::AssertionSuccess();
