@@ -1,7 +1,5 @@
 #include "compare/comparison.h"
 
-#include <stdexcept>
-
 #include "command_line/interruption.h"
 #include "command_line/progress_bar.h"
 #include "record/comparison_json.h"
@@ -9,6 +7,7 @@
 #include "record/output_file.h"
 #include "record/table.h"
 #include "report/report.h"
+#include "scenario/named_error.h"
 #include "scenario/scenario_directory.h"
 #include "world/body_shape.h"
 #include "world/run.h"
@@ -21,12 +20,10 @@ Scenario chosen_scenario(const Options& options) {
   Scenario scenario = find_scenario(options.scenario);
   scenario.dt = options.dt.value_or(scenario.dt);
   scenario.duration = options.duration.value_or(scenario.duration);
-  try {
+  return naming_the_scenario(options.scenario, [&] {
     step_count(scenario.dt, scenario.duration);
     return resolved(scenario);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(options.scenario + ": " + error.what());
-  }
+  });
 }
 
 // What a comparison writes beside the table. Opened before the run, which may be long, to fail early; renamed
@@ -75,8 +72,7 @@ void run_all(const std::vector<Contender>& contenders, Files& files, Report& rep
 }  // namespace
 
 Comparison compare(const Options& options) {
-  const std::vector<Contender> contenders =
-      options.contenders.empty() ? default_contenders() : find_contenders(options.contenders);
+  const std::vector<Contender> contenders = chosen_contenders(options.contenders);
   const Scenario scenario = chosen_scenario(options);
   Report report{{scenario, bullet_precision(), {}}, {}, {}, drawn_body(scenario.body), options.command};
   Files files(options);

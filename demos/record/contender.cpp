@@ -56,4 +56,8 @@ std::vector<Contender> find_contenders(const std::vector<std::string>& names) {
   return chosen;
 }
 
+std::vector<Contender> chosen_contenders(const std::vector<std::string>& names) {
+  return names.empty() ? default_contenders() : find_contenders(names);
+}
+
 }  // namespace polhode::demos

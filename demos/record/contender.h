@@ -29,4 +29,7 @@ std::vector<Contender> default_contenders();
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice.
 std::vector<Contender> find_contenders(const std::vector<std::string>& names);
 
+/// The same, or the default ones where none is named.
+std::vector<Contender> chosen_contenders(const std::vector<std::string>& names);
+
 }  // namespace polhode::demos

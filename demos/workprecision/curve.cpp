@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "command_line/progress_bar.h"
+#include "scenario/named_error.h"
 #include "scenario/scenario_directory.h"
 #include "scenario/start_motion.h"
 #include "support/oracle/free_top.h"
@@ -18,7 +19,7 @@ namespace polhode::demos {
 namespace {
 
 FreeBody body_of(const std::string& name) {
-  try {
+  return naming_the_scenario(name, [&] {
     const Scenario scenario = resolved(find_scenario(name));
     if (!scenario.is_torque_free()) {
       throw std::invalid_argument(
@@ -28,9 +29,7 @@ FreeBody body_of(const std::string& name) {
     const FreeBody body{inertia_B, scenario.body.q_WB, start_motion(scenario.body, inertia_B).omega_W};
     if (body.omega_W.isZero(0.0)) throw std::invalid_argument("does not spin; valid is a body that does");
     return body;
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(name + ": " + error.what());
-  }
+  });
 }
 
 std::string declared_order(const Contender& contender) {

@@ -5,6 +5,7 @@
 
 #include "command_line/parsing.h"
 #include "scenario/build_info.h"
+#include "scenario/named_error.h"
 #include "scenario/number_text.h"
 #include "scenario/scenario_directory.h"
 #include "viewer/model/playback_clock.h"
@@ -69,6 +70,12 @@ void set_numbers(ViewerOptions& options, const NumberTexts& texts) {
   set_whole_number(options.height, "--height", texts.height, kSizeRange);
 }
 
+Scenario chosen_scenario(const ViewerOptions& options) {
+  Scenario scenario = find_scenario(options.scenario);
+  scenario.dt = options.dt.value_or(scenario.dt);
+  return naming_the_scenario(options.scenario, [&] { return resolved(scenario); });
+}
+
 }  // namespace
 
 std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arguments) {
@@ -84,23 +91,9 @@ std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arg
   return options;
 }
 
-Scenario chosen_scenario(const ViewerOptions& options) {
-  Scenario scenario = find_scenario(options.scenario);
-  scenario.dt = options.dt.value_or(scenario.dt);
-  try {
-    return resolved(scenario);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(options.scenario + ": " + error.what());
-  }
-}
-
-std::vector<Contender> chosen_contenders(const ViewerOptions& options) {
-  return options.contenders.empty() ? default_contenders() : find_contenders(options.contenders);
-}
-
 Session chosen_session(const ViewerOptions& options) {
   if (options.replay) return Session(read_recording(*options.replay));
-  return Session(chosen_scenario(options), chosen_contenders(options));
+  return Session(chosen_scenario(options), chosen_contenders(options.contenders));
 }
 
 std::int64_t chosen_step(const ViewerOptions& options, const Session& session) {

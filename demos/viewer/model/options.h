@@ -32,10 +32,8 @@ struct ViewerOptions {
 /// @throws std::invalid_argument that says what is wrong and what is valid
 std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arguments);
 
-/// @throws std::invalid_argument, ScenarioError
-Scenario chosen_scenario(const ViewerOptions& options);
-std::vector<Contender> chosen_contenders(const ViewerOptions& options);
 /// What scenario and contenders, or the recording, give.
+/// @throws std::invalid_argument, ScenarioError
 Session chosen_session(const ViewerOptions& options);
 /// The step that --at means; without it the start, or of a replay that is a picture the end.
 /// @throws std::invalid_argument if it is too far from the start to be waited for

@@ -4,16 +4,12 @@
 
 #include <cmath>
 
-#include "scenario/scenario_reader.h"
+#include "demos/scenario_file.h"
 #include "scenario/start_motion.h"
 #include "support/oracle/heavy_top.h"
 
 namespace polhode::demos {
 namespace {
-
-Scenario scenario_file(const std::string& name) {
-  return read_scenario(std::filesystem::path(POLHODE_SCENARIO_SOURCES) / (name + ".json"));
-}
 
 class ScenarioFile : public testing::TestWithParam<std::string> {};
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "scenario/scenario_reader.h"
+#include "demos/scenario_file.h"
 #include "viewer/model/arrows.h"
 #include "viewer/model/camera.h"
 #include "viewer/model/plot_data.h"
@@ -15,8 +15,7 @@ namespace polhode::demos {
 namespace {
 
 Simulation tumbling(int steps) {
-  Simulation simulation(resolved(read_scenario(std::string(POLHODE_SCENARIO_SOURCES) + "/tumble.json")),
-                        find_contenders({"exact", "matrix"}));
+  Simulation simulation(resolved(scenario_file("tumble")), find_contenders({"exact", "matrix"}));
   for (int step = 0; step < steps; ++step) simulation.step();
   return simulation;
 }

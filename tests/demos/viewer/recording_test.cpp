@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "demos/scenario_file.h"
 #include "demos/support_files.h"
 #include "scenario/json_file.h"
-#include "scenario/scenario_reader.h"
 #include "viewer/model/session.h"
 #include "world/body_shape.h"
 
@@ -18,9 +18,8 @@ using testing::HasSubstr;
 class RecordingFile : public testing::Test {
  protected:
   RecordingFile() {
-    const Scenario scenario =
-        resolved(read_scenario(std::string(POLHODE_SCENARIO_SOURCES) + "/dzhanibekov.json"));
-    Simulation simulation(scenario, find_contenders({"exact", "matrix", "bullet:none"}));
+    Simulation simulation(resolved(scenario_file("dzhanibekov")),
+                          find_contenders({"exact", "matrix", "bullet:none"}));
     for (int step = 0; step < 60; ++step) simulation.step();  // the matrix diverges on the way
     write_recording(simulation, file_);
   }

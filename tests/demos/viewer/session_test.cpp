@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "demos/scenario_file.h"
 #include "demos/support_files.h"
 #include "record/csv.h"
-#include "scenario/scenario_reader.h"
 #include "viewer/model/changes.h"
 #include "viewer/model/csv_export.h"
 #include "world/body_shape.h"
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 constexpr std::chrono::seconds kPlenty{60};
 
 Scenario scenario(const std::string& name) {
-  return resolved(read_scenario(std::string(POLHODE_SCENARIO_SOURCES) + "/" + name + ".json"));
+  return resolved(scenario_file(name));
 }
 
 TEST(PlaybackClock, CountsRealTimeTimesTheSpeed) {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "scenario/scenario_reader.h"
+#include "demos/scenario_file.h"
 #include "world/body_shape.h"
 #include "world/run.h"
 
@@ -11,7 +11,7 @@ namespace polhode::demos {
 namespace {
 
 Scenario scenario(const std::string& name) {
-  return resolved(read_scenario(std::string(POLHODE_SCENARIO_SOURCES) + "/" + name + ".json"));
+  return resolved(scenario_file(name));
 }
 
 TEST(Simulation, StepsAllContendersInLockstep) {

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "demos/scenario_file.h"
 #include "polhode/rotation_math.h"
-#include "scenario/scenario_reader.h"
 #include "world/conversions.h"
 
 namespace polhode::demos {
@@ -17,10 +17,6 @@ namespace {
 
 // What a number of the scenario may lose on its way into Bullet's precision.
 const double kRounding = static_cast<double>(SIMD_EPSILON);
-
-Scenario scenario_file(const std::string& name) {
-  return read_scenario(std::filesystem::path(POLHODE_SCENARIO_SOURCES) / (name + ".json"));
-}
 
 Contender contender(const std::string& name) {
   return find_contenders({name}).front();

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace polhode::demos {
+
+/// What `work` returns; the message of an invalid argument begins with the scenario's name.
+template <typename Work>
+auto naming_the_scenario(const std::string& name, const Work& work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(name + ": " + error.what());
+  }
+}
+
+}  // namespace polhode::demos
