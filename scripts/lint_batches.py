@@ -57,8 +57,9 @@ def chunks_of(targets):
     """Up to BATCH_SIZE sources of one target each, with their flags."""
     for (_, flags), members in targets.items():
         members.sort(key=lambda member: member["file"])
-        for first in range(0, len(members), BATCH_SIZE):
-            yield flags, members[first:first + BATCH_SIZE]
+        chunk_count = -(-len(members) // BATCH_SIZE)
+        for number in range(chunk_count):
+            yield flags, members[number::chunk_count]
 
 
 def commands_of(flags, members, path):
