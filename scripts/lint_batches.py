@@ -3,8 +3,8 @@
 
   lint_batches.py COMPILE_COMMANDS DIRECTORY
 
-Writes DIRECTORY/compile_commands.json: sources that can be compiled as one in a batch, others (the same name in two
-unnamed namespaces, say) one by one. A source that is compiled for both of Bullet's precisions is checked once, a
+Writes DIRECTORY/compile_commands.json: sources that can be compiled as one in a batch, others one by one. Names that
+several unnamed namespaces of a batch define are numbered by macros. A source that is compiled for both of Bullet's precisions is checked once, a
 generated one not at all.
 """
 import collections
@@ -16,7 +16,7 @@ import shlex
 import subprocess
 import sys
 
-BATCH_SIZE = 8
+BATCH_SIZE = 16
 
 
 def once_each(commands, generated):
@@ -34,37 +34,46 @@ def by_target(commands):
     return targets
 
 
-def batch(flags, members, path):
-    """The command of one source, written to `path`, that includes those of `members`."""
+def batch(flags, members, names, path):
+    """The command of one source, written to `path`, that includes those of `members`. `names` get a number in each."""
     with open(path, "w") as source:
-        for member in members:
+        for number, member in enumerate(members):
+            source.writelines(f"#define {name} {name}{number}  // NOLINT\n" for name in sorted(names))
             source.write(f'#include "{member["file"]}"  // NOLINT: not a header\n')
+            source.writelines(f"#undef {name}\n" for name in sorted(names))
     return {"directory": members[0]["directory"], "file": path, "command": f"{flags} -c {path}"}
 
 
-def those_in_the_way(command):
-    """The sources in which clang finds errors when a batch is compiled."""
+def obstacles(command):
+    """The sources in which clang finds errors when a batch is compiled, and the names that they define again."""
     compiler = ["clang++", "-fsyntax-only", "-w", "-ferror-limit=0"] + shlex.split(command["command"])[1:]
     messages = subprocess.run(compiler, cwd=command["directory"], capture_output=True, text=True).stderr
-    return set(re.findall(r"^(\S+?):\d+:\d+: (?:fatal )?error:", messages, re.MULTILINE))
+    errors = re.findall(r"^(\S+?):\d+:\d+: (?:fatal )?error: (.*)", messages, re.MULTILINE)
+    again = [re.match(r"(?:redefinition of|call to) '(\w+)'", error) for _, error in errors]
+    return {file for file, _ in errors}, {match[1] for match in again if match}
 
 
 def chunks_of(targets):
     """Up to BATCH_SIZE sources of one target each, with their flags."""
     for (_, flags), members in targets.items():
         members.sort(key=lambda member: member["file"])
-        for first in range(0, len(members), BATCH_SIZE):
-            yield flags, members[first:first + BATCH_SIZE]
+        chunk_count = -(-len(members) // BATCH_SIZE)
+        for number in range(chunk_count):
+            yield flags, members[number::chunk_count]
 
 
 def commands_of(flags, members, path):
     """One for all that can be compiled together, and one for each of the others."""
     alone = []
+    names = set()
     while len(members) > 1:
-        together = batch(flags, members, path)
-        in_the_way = those_in_the_way(together)
+        together = batch(flags, members, names, path)
+        in_the_way, again = obstacles(together)
         if not in_the_way:
             return alone + [together]
+        if again - names:
+            names |= again
+            continue
         rest = [member for member in members if member["file"] not in in_the_way]
         if len(rest) == len(members):  # the error is in a header
             break

@@ -32,7 +32,7 @@ TEST(Base64, HoldsNumbersWithTheLeastSignificantByteFirst) {
   EXPECT_EQ(base64(std::vector<float>{}), "");
 }
 
-Sample sample_at(std::int64_t step) {
+Sample varying_sample(std::int64_t step) {
   Sample sample;
   sample.step = step;
   sample.t_s = 0.03 * static_cast<double>(step);
@@ -52,7 +52,7 @@ Report report_of(std::size_t contenders, std::int64_t steps) {
   for (std::size_t i = 0; i < contenders; ++i) {
     SeriesRecorder recorder(*report.comparison.scenario.body.inertia_B, 0.03, steps,
                             most_records(contenders));
-    for (std::int64_t step = 0; step <= steps; ++step) recorder.add(sample_at(step));
+    for (std::int64_t step = 0; step <= steps; ++step) recorder.add(varying_sample(step));
     report.series.push_back(recorder.finish());
     report.comparison.contenders.push_back({"contender_" + std::to_string(i), {}});
     report.summaries.emplace_back("what it does <b>");

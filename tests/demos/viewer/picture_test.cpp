@@ -3,19 +3,18 @@
 
 #include <cmath>
 
-#include "demos/scenario_file.h"
+#include "demos/viewer/resolved_scenario.h"
 #include "viewer/model/arrows.h"
 #include "viewer/model/camera.h"
 #include "viewer/model/plot_data.h"
 #include "viewer/model/poinsot.h"
 #include "viewer/model/view_grid.h"
-#include "world/body_shape.h"
 
 namespace polhode::demos {
 namespace {
 
 Simulation tumbling(int steps) {
-  Simulation simulation(resolved(scenario_file("tumble")), find_contenders({"exact", "matrix"}));
+  Simulation simulation(resolved_scenario("tumble"), find_contenders({"exact", "matrix"}));
   for (int step = 0; step < steps; ++step) simulation.step();
   return simulation;
 }

@@ -4,11 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "demos/scenario_file.h"
 #include "demos/support_files.h"
+#include "demos/viewer/resolved_scenario.h"
 #include "scenario/json_file.h"
 #include "viewer/model/session.h"
-#include "world/body_shape.h"
 
 namespace polhode::demos {
 namespace {
@@ -18,7 +17,7 @@ using testing::HasSubstr;
 class RecordingFile : public testing::Test {
  protected:
   RecordingFile() {
-    Simulation simulation(resolved(scenario_file("dzhanibekov")),
+    Simulation simulation(resolved_scenario("dzhanibekov"),
                           find_contenders({"exact", "matrix", "bullet:none"}));
     for (int step = 0; step < 60; ++step) simulation.step();  // the matrix diverges on the way
     write_recording(simulation, file_);

@@ -4,12 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "demos/scenario_file.h"
 #include "demos/support_files.h"
+#include "demos/viewer/resolved_scenario.h"
 #include "record/csv.h"
 #include "viewer/model/changes.h"
 #include "viewer/model/csv_export.h"
-#include "world/body_shape.h"
 
 namespace polhode::demos {
 namespace {
@@ -17,10 +16,6 @@ namespace {
 using testing::HasSubstr;
 
 constexpr std::chrono::seconds kPlenty{60};
-
-Scenario scenario(const std::string& name) {
-  return resolved(scenario_file(name));
-}
 
 TEST(PlaybackClock, CountsRealTimeTimesTheSpeed) {
   PlaybackClock clock;
@@ -42,7 +37,7 @@ TEST(PlaybackClock, DoesNotRaceAfterTimeThatWasLost) {
 }
 
 TEST(Session, PlaysOnlyWhileItRuns) {
-  Session session(scenario("tumble"), find_contenders({"exact"}));
+  Session session(resolved_scenario("tumble"), find_contenders({"exact"}));
   session.advance(0.1, kPlenty);
   EXPECT_EQ(session.simulation().shown_step(), 0);
   session.apply(Action::run_or_pause);
@@ -54,7 +49,7 @@ TEST(Session, PlaysOnlyWhileItRuns) {
 }
 
 TEST(Session, PausesAtADivergenceAndSaysSo) {
-  Session session(scenario("dzhanibekov"), find_contenders({"exact", "matrix"}));
+  Session session(resolved_scenario("dzhanibekov"), find_contenders({"exact", "matrix"}));
   session.apply(Action::run_or_pause);
   for (int i = 0; i < 100; ++i) session.advance(0.1, kPlenty);
   EXPECT_FALSE(session.is_running());
@@ -66,7 +61,7 @@ TEST(Session, PausesAtADivergenceAndSaysSo) {
 }
 
 TEST(Session, DoesNotRunOnceAllHaveDiverged) {
-  Session session(scenario("dzhanibekov"), find_contenders({"matrix"}));
+  Session session(resolved_scenario("dzhanibekov"), find_contenders({"matrix"}));
   session.run_to(100);
   session.apply(Action::run_or_pause);
   EXPECT_FALSE(session.is_running());
@@ -74,7 +69,7 @@ TEST(Session, DoesNotRunOnceAllHaveDiverged) {
 }
 
 TEST(Session, StepsBackStepsAndResets) {
-  Session session(scenario("tumble"), find_contenders({"exact"}), 10);
+  Session session(resolved_scenario("tumble"), find_contenders({"exact"}), 10);
   session.apply(Action::step_back);
   EXPECT_EQ(session.notice(), "this is the start");
   session.run_to(30);
@@ -89,7 +84,7 @@ TEST(Session, StepsBackStepsAndResets) {
 }
 
 TEST(Session, ComputesNoLongerThanItsBudget) {
-  Session session(scenario("tumble"), find_contenders({"exact"}));
+  Session session(resolved_scenario("tumble"), find_contenders({"exact"}));
   session.clock().set_speed(PlaybackClock::kFastest);
   session.apply(Action::run_or_pause);
   session.advance(0.1, std::chrono::nanoseconds(0));
@@ -98,7 +93,7 @@ TEST(Session, ComputesNoLongerThanItsBudget) {
 }
 
 TEST(Session, StartsOverWithChangesOrSaysWhatIsWrongWithThem) {
-  Session session(scenario("tumble"), find_contenders({"exact"}));
+  Session session(resolved_scenario("tumble"), find_contenders({"exact"}));
   session.run_to(5);
   Changes changes = changes_of(session.simulation().scenario());
   changes.omega_W = {0, 0, 7};
@@ -117,7 +112,7 @@ TEST(Session, StartsOverWithChangesOrSaysWhatIsWrongWithThem) {
 }
 
 TEST(Session, IsExportedAsThatWhichWasComputed) {
-  Session session(scenario("tumble"), find_contenders({"exact", "matrix"}));
+  Session session(resolved_scenario("tumble"), find_contenders({"exact", "matrix"}));
   session.run_to(3);
   session.apply(Action::step_back);
   const TemporaryDirectory directory;

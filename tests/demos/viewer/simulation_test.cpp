@@ -3,19 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "demos/scenario_file.h"
-#include "world/body_shape.h"
+#include "demos/viewer/resolved_scenario.h"
 #include "world/run.h"
 
 namespace polhode::demos {
 namespace {
 
-Scenario scenario(const std::string& name) {
-  return resolved(scenario_file(name));
-}
-
 TEST(Simulation, StepsAllContendersInLockstep) {
-  Simulation simulation(scenario("tumble"), default_contenders());
+  Simulation simulation(resolved_scenario("tumble"), default_contenders());
   for (int step = 0; step < 20; ++step) simulation.step();
   ASSERT_EQ(simulation.size(), 9u);
   for (std::size_t index = 0; index < simulation.size(); ++index) {
@@ -25,7 +20,7 @@ TEST(Simulation, StepsAllContendersInLockstep) {
 }
 
 TEST(Simulation, ComputesTheBitsOfAComparison) {
-  Scenario short_run = scenario("floor");
+  Scenario short_run = resolved_scenario("floor");
   short_run.duration = 200 * short_run.dt;
   Simulation simulation(short_run, find_contenders({"quaternion", "bullet:implicit_body"}));
   for (int step = 0; step < 200; ++step) simulation.step();
@@ -41,7 +36,7 @@ TEST(Simulation, ComputesTheBitsOfAComparison) {
 }
 
 TEST(Simulation, StepsBackAndForthToTheSameState) {
-  Simulation simulation(scenario("floor"), find_contenders({"exact"}));
+  Simulation simulation(resolved_scenario("floor"), find_contenders({"exact"}));
   for (int step = 0; step < 10; ++step) simulation.step();
   const Vector3 there_W = simulation.shown(0).sample.state.L_W;
   const Pose other = simulation.shown(0).others.at(1);
@@ -56,7 +51,7 @@ TEST(Simulation, StepsBackAndForthToTheSameState) {
 }
 
 TEST(Simulation, KeepsABoundedHistory) {
-  Simulation simulation(scenario("tumble"), find_contenders({"exact", "quaternion"}), 50);
+  Simulation simulation(resolved_scenario("tumble"), find_contenders({"exact", "quaternion"}), 50);
   for (int step = 0; step < 120; ++step) simulation.step();
   EXPECT_EQ(simulation.run(0).history().size(), 50u);
   EXPECT_EQ(simulation.first_kept_step(), 71);
@@ -68,7 +63,7 @@ TEST(Simulation, KeepsABoundedHistory) {
 
 TEST(Simulation, GoesOnWithTheOthersAfterADivergence) {
   // In polhode_compare, too, the matrix fails in step 36, at 1.08 s.
-  Simulation simulation(scenario("dzhanibekov"), find_contenders({"exact", "matrix"}));
+  Simulation simulation(resolved_scenario("dzhanibekov"), find_contenders({"exact", "matrix"}));
   for (int step = 1; step <= 35; ++step) EXPECT_TRUE(simulation.step().empty());
   EXPECT_EQ(simulation.step(), std::vector<std::string>{"matrix"});
   EXPECT_TRUE(simulation.step().empty());
@@ -81,11 +76,11 @@ TEST(Simulation, GoesOnWithTheOthersAfterADivergence) {
 }
 
 TEST(Simulation, KnowsTheAttitudeErrorWhereTheMotionIsFree) {
-  Simulation free(scenario("tumble"), find_contenders({"exact"}));
+  Simulation free(resolved_scenario("tumble"), find_contenders({"exact"}));
   free.step();
   ASSERT_TRUE(free.shown(0).sample.attitude_error_rad.has_value());
   EXPECT_LT(*free.shown(0).sample.attitude_error_rad, 1e-15);  // measured 2e-16
-  Simulation on_the_floor(scenario("floor"), find_contenders({"exact"}));
+  Simulation on_the_floor(resolved_scenario("floor"), find_contenders({"exact"}));
   EXPECT_FALSE(on_the_floor.shown(0).sample.attitude_error_rad.has_value());
 }
 

@@ -7,15 +7,12 @@
 #include <cmath>
 #include <vector>
 
+#include "demos/world/contender.h"
 #include "polhode/rotation_limits.h"
 #include "scenario/scenario_reader.h"
 
 namespace polhode::demos {
 namespace {
-
-Contender contender(const std::string& name) {
-  return find_contenders({name}).front();
-}
 
 Scenario tumble(const std::string& more) {
   return parse_scenario(R"({"inertia": [1, 2, 3], )" + more + "}", "tumble.json");

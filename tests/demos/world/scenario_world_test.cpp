@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "demos/scenario_file.h"
+#include "demos/world/contender.h"
 #include "polhode/rotation_math.h"
 #include "world/conversions.h"
 
@@ -17,10 +18,6 @@ namespace {
 
 // What a number of the scenario may lose on its way into Bullet's precision.
 const double kRounding = static_cast<double>(SIMD_EPSILON);
-
-Contender contender(const std::string& name) {
-  return find_contenders({name}).front();
-}
 
 class EveryContender : public testing::TestWithParam<std::string> {};
 

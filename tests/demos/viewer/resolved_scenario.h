@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "demos/scenario_file.h"
+#include "world/body_shape.h"
+
+namespace polhode::demos {
+
+/// One of the demos' scenarios, with the inertia of its body's shape.
+inline Scenario resolved_scenario(const std::string& name) {
+  return resolved(scenario_file(name));
+}
+
+}  // namespace polhode::demos
