@@ -40,13 +40,16 @@ class JointScene {
   /// How far the speed is from what a motor shall hold, relative to that; without a motor 0.
   virtual double speed_error() const { return 0.0; }
 
+  /// The constrained body; of a weld two.
+  btRigidBody& body(std::size_t index = 0) { return *bodies_.at(index); }
+
   /// Not finite, past the library's limits, diverged by the library's word, or grown past any use.
   bool diverged() const;
 
  protected:
   JointScene(const Contender& contender, const JointStart& start);
 
-  /// A body that Bullet does not let collide. The axis of spin lies along `spin_axis_W`.
+  /// A body that collides with nothing.
   btRigidBody& add_body(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& position_W,
                         const Vector3& omega_W, const Vector3& velocity_W);
   void add_constraint(std::unique_ptr<btTypedConstraint> constraint);

@@ -41,7 +41,7 @@ class HingeScene : public JointScene {
   }
 
   btHingeConstraint& hinge() { return *hinge_; }
-  const btRigidBody& body() const { return body_; }
+  const btRigidBody& hinged_body() const { return body_; }
 
  private:
   static double speed_of(const JointStart& start) { return start.omega_dt / start.dt_s; }
@@ -61,7 +61,7 @@ class MotorScene final : public HingeScene {
   double reference_energy_J() const override { return 0.5 * moment_about_hinge() * speed() * speed(); }
 
   double speed_error() const override {
-    return std::abs(rotation_of(body()).omega_W.dot(kSpinAxis_W) / speed() - 1.0);
+    return std::abs(rotation_of(hinged_body()).omega_W.dot(kSpinAxis_W) / speed() - 1.0);
   }
 
  private:
