@@ -1,8 +1,9 @@
-// The scene of each kind. An axis of spin in general position: along no axis of the world.
+// The scene of each kind. Constant vectors are in world axes.
 #include <BulletDynamics/ConstraintSolver/btFixedConstraint.h>
 #include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
 #include <BulletDynamics/ConstraintSolver/btPoint2PointConstraint.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "polhode/rotation_math.h"
@@ -13,7 +14,8 @@ namespace polhode::demos {
 
 namespace {
 
-const Vector3 kSpinAxis_W(1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0);
+// In general position: along no axis of the world.
+const Vector3 kSpinAxis(1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0);
 
 double angle_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -25,16 +27,16 @@ class HingeScene : public JointScene {
       : HingeScene(contender, start, speed_of(start)) {}
 
   double joint_error() const override {
-    return angle_between(rotation_of(body_).R_WB * spin_axis_B(), kSpinAxis_W);
+    return angle_between(rotation_of(body_).R_WB * spin_axis_B(), kSpinAxis);
   }
 
  protected:
   HingeScene(const Contender& contender, const JointStart& start, double start_speed)
       : JointScene(contender, start),
-        body_(add_body(inertia_B(), start_orientation(kSpinAxis_W), Vector3::Zero(),
-                       start_speed * kSpinAxis_W, Vector3::Zero())) {
+        body_(add_body(inertia_B(), start_orientation(kSpinAxis), Vector3::Zero(), start_speed * kSpinAxis,
+                       Vector3::Zero())) {
     auto hinge = std::make_unique<btHingeConstraint>(body_, ground(), btVector3(0, 0, 0), btVector3(0, 0, 0),
-                                                     to_bullet(spin_axis_B()), to_bullet(kSpinAxis_W));
+                                                     to_bullet(spin_axis_B()), to_bullet(kSpinAxis));
     hinge_ = hinge.get();
     add_constraint(std::move(hinge));
     set_start_energy();
@@ -61,7 +63,7 @@ class MotorScene final : public HingeScene {
   double reference_energy_J() const override { return 0.5 * moment_about_hinge() * speed() * speed(); }
 
   double speed_error() const override {
-    return std::abs(rotation_of(hinged_body()).omega_W.dot(kSpinAxis_W) / speed() - 1.0);
+    return std::abs(rotation_of(hinged_body()).omega_W.dot(kSpinAxis) / speed() - 1.0);
   }
 
  private:
@@ -73,8 +75,8 @@ class WeldScene final : public JointScene {
  public:
   WeldScene(const Contender& contender, const JointStart& start)
       : JointScene(contender, start),
-        a_(add_part(inertia_B(), start_orientation(kSpinAxis_W), -kArm_W)),
-        b_(add_part(2.0 * inertia_B(), start_orientation(kSpinAxis_W) * kBesideA, kArm_W)),
+        a_(add_part(inertia_B(), start_orientation(kSpinAxis), -kArm)),
+        b_(add_part(2.0 * inertia_B(), start_orientation(kSpinAxis) * kBesideA, kArm)),
         start_q_AB_(q_AB()) {
     add_constraint(std::make_unique<btFixedConstraint>(a_, b_, a_.getWorldTransform().inverse(),
                                                        b_.getWorldTransform().inverse()));
@@ -84,11 +86,11 @@ class WeldScene final : public JointScene {
   double joint_error() const override { return logarithm(q_AB() * start_q_AB_.conjugate()).norm(); }
 
  private:
-  static const Vector3 kArm_W;
+  static const Vector3 kArm;
   static const Quaternion kBesideA;
 
   btRigidBody& add_part(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& position_W) {
-    const Vector3 omega_W = speed() * kSpinAxis_W;
+    const Vector3 omega_W = speed() * kSpinAxis;
     return add_body(inertia_B, q_WB, position_W, omega_W, omega_W.cross(position_W));
   }
 
@@ -99,7 +101,7 @@ class WeldScene final : public JointScene {
   Quaternion start_q_AB_;
 };
 
-const Vector3 WeldScene::kArm_W(0.5 / 3.0, 0.25 / 3.0, 0.5 / 3.0);
+const Vector3 WeldScene::kArm(0.5 / 3.0, 0.25 / 3.0, 0.5 / 3.0);
 const Quaternion WeldScene::kBesideA = exponential(Vector3(0.6, -0.3, 0.6));
 
 /// Turns about a point 0.3 m beside its centre, 27 degrees off the axis of spin.
@@ -107,9 +109,9 @@ class PointScene final : public JointScene {
  public:
   PointScene(const Contender& contender, const JointStart& start)
       : JointScene(contender, start),
-        arm_B_(start_orientation(kSpinAxis_W).conjugate() * kArm_W),
-        body_(add_body(inertia_B(), start_orientation(kSpinAxis_W), -kArm_W, speed() * kSpinAxis_W,
-                       -speed() * kSpinAxis_W.cross(kArm_W))) {
+        arm_B_(start_orientation(kSpinAxis).conjugate() * kArm),
+        body_(add_body(inertia_B(), start_orientation(kSpinAxis), -kArm, speed() * kSpinAxis,
+                       -speed() * kSpinAxis.cross(kArm))) {
     add_constraint(
         std::make_unique<btPoint2PointConstraint>(body_, ground(), to_bullet(arm_B_), btVector3(0, 0, 0)));
     set_start_energy();
@@ -117,24 +119,24 @@ class PointScene final : public JointScene {
 
   double joint_error() const override {
     const Vector3 gap_W = from_bullet(body_.getCenterOfMassPosition()) + rotation_of(body_).R_WB * arm_B_;
-    return gap_W.norm() / kArm_W.norm();
+    return gap_W.norm() / kArm.norm();
   }
 
  private:
-  static const Vector3 kArm_W;  ///< from the centre to the point
+  static const Vector3 kArm;  ///< from the centre to the point
 
   Vector3 arm_B_;
   btRigidBody& body_;
 };
 
-const Vector3 PointScene::kArm_W(0.2, 0.1, 0.2);
+const Vector3 PointScene::kArm(0.2, 0.1, 0.2);
 
 /// May not turn about the z axis of the world.
 class LockScene final : public JointScene {
  public:
   LockScene(const Contender& contender, const JointStart& start)
       : JointScene(contender, start),
-        body_(add_body(inertia_B(), start_orientation(kFreeAxis_W), Vector3::Zero(), speed() * kFreeAxis_W,
+        body_(add_body(inertia_B(), start_orientation(kFreeAxis), Vector3::Zero(), speed() * kFreeAxis,
                        Vector3::Zero())),
         q_WB_(rotation_of(body_).q_WB) {
     body_.setAngularFactor(btVector3(1, 1, 0));
@@ -144,7 +146,7 @@ class LockScene final : public JointScene {
   double joint_error() const override { return std::abs(turned_about_z_); }
 
  private:
-  static const Vector3 kFreeAxis_W;
+  static const Vector3 kFreeAxis;
 
   void after_step() override {
     const Quaternion q_WB = rotation_of(body_).q_WB;
@@ -157,7 +159,7 @@ class LockScene final : public JointScene {
   double turned_about_z_ = 0.0;
 };
 
-const Vector3 LockScene::kFreeAxis_W(0.6, 0.8, 0.0);
+const Vector3 LockScene::kFreeAxis(0.6, 0.8, 0.0);
 
 /// Swings through the orientation to which the spring pulls it, at the speed that takes it as far as
 /// kAmplitude. Steps of symplectic Euler, as Bullet's, turn the phase of a spring k by p where
@@ -168,8 +170,8 @@ class SpringScene final : public JointScene {
   SpringScene(const Contender& contender, const JointStart& start)
       : JointScene(contender, start),
         stiffness_(inertia_B()[0] * std::pow(2.0 * std::sin(start.omega_dt / 2.0) / start.dt_s, 2)),
-        body_(add_body(inertia_B(), start_orientation(kSpinAxis_W), Vector3::Zero(),
-                       start_orientation(kSpinAxis_W) * start_omega_B(), Vector3::Zero())),
+        body_(add_body(inertia_B(), start_orientation(kSpinAxis), Vector3::Zero(),
+                       start_orientation(kSpinAxis) * start_omega_B(), Vector3::Zero())),
         rest_q_WB_(rotation_of(body_).q_WB) {
     set_start_energy();
   }
