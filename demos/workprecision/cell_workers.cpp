@@ -15,12 +15,12 @@ namespace {
 /// The cells that threads take one by one. A result has its place, whichever thread computes it.
 class CellQueue {
  public:
-  CellQueue(const MapGrid& grid, const std::vector<std::int64_t>& cells)
-      : grid_(grid), cells_(cells), results_(cells.size()) {}
+  CellQueue(const CellMap& map, const std::vector<std::int64_t>& cells)
+      : map_(map), cells_(cells), results_(cells.size()) {}
 
   void work() {
     try {
-      for (std::size_t i = next_++; i < cells_.size(); i = next_++) results_[i] = computed(grid_, cells_[i]);
+      for (std::size_t i = next_++; i < cells_.size(); i = next_++) results_[i] = map_.computed(cells_[i]);
     } catch (...) {
       next_ = cells_.size();
       const std::lock_guard<std::mutex> lock(failure_mutex_);
@@ -34,7 +34,7 @@ class CellQueue {
   }
 
  private:
-  const MapGrid& grid_;
+  const CellMap& map_;
   const std::vector<std::int64_t>& cells_;
   std::vector<CellResult> results_;
   std::atomic<std::size_t> next_{0};
@@ -49,9 +49,9 @@ std::size_t thread_count(std::int64_t wish, int ranks) {
   return ranks > 1 ? 1 : std::max(1U, std::thread::hardware_concurrency());
 }
 
-std::vector<CellResult> computed_by_threads(const MapGrid& grid, const std::vector<std::int64_t>& cells,
+std::vector<CellResult> computed_by_threads(const CellMap& map, const std::vector<std::int64_t>& cells,
                                             std::size_t threads) {
-  CellQueue queue(grid, cells);
+  CellQueue queue(map, cells);
   std::vector<std::thread> helpers;
   try {
     while (helpers.size() + 1 < std::min(threads, cells.size())) helpers.emplace_back([&] { queue.work(); });

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "workprecision/map_grid.h"
+#include "workprecision/cell_map.h"
 
 namespace polhode::demos {
 
@@ -12,7 +12,7 @@ std::size_t thread_count(std::int64_t wish, int ranks);
 
 /// The results of these cells, in their order. What one thread throws ends all of them.
 /// @throws Interrupted
-std::vector<CellResult> computed_by_threads(const MapGrid& grid, const std::vector<std::int64_t>& cells,
+std::vector<CellResult> computed_by_threads(const CellMap& map, const std::vector<std::int64_t>& cells,
                                             std::size_t threads);
 
 }  // namespace polhode::demos

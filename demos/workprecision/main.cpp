@@ -35,7 +35,10 @@ void work(int argument_count, char** arguments, Ranks& ranks) {
   ranks.together([&] { options = parse_work_precision_options(argument_count, arguments); });
   if (!options) return;
   watch_for_interruption();
-  if (const MapOptions* map = std::get_if<MapOptions>(&*options)) return make_map(*map, ranks);
+  if (const MapOptions* map = std::get_if<MapOptions>(&*options)) return make_map(map->grid, map->run, ranks);
+  if (const JointsOptions* joints = std::get_if<JointsOptions>(&*options)) {
+    return make_map(joints->grid, joints->run, ranks);
+  }
   // These time one core: more ranks would only disturb.
   if (!ranks.is_first()) return;
   if (const CostOptions* cost = std::get_if<CostOptions>(&*options)) return print(cost_table(costs(*cost)));

@@ -10,7 +10,6 @@
 #include "command_line/progress_bar.h"
 #include "workprecision/cell_workers.h"
 #include "workprecision/map_journal.h"
-#include "workprecision/map_text.h"
 #include "workprecision/output_files.h"
 
 namespace polhode::demos {
@@ -42,10 +41,10 @@ fs::path journal_path(const Outputs& outputs) {
 /// What rank 0 alone holds: the journal, and the results so far.
 class MapRecord {
  public:
-  explicit MapRecord(const MapOptions& options)
-      : options_(options), results_(static_cast<std::size_t>(options.grid.cell_count())) {
-    const OutputFiles can_be_written(options.outputs.csv, options.outputs.json);
-    journal_.emplace(journal_path(options.outputs), options.grid, options.restart);
+  MapRecord(const CellMap& map, const MapRun& run)
+      : map_(map), outputs_(run.outputs), results_(static_cast<std::size_t>(map.cell_count())) {
+    const OutputFiles can_be_written(outputs_.csv, outputs_.json);
+    journal_.emplace(journal_path(outputs_), map, run.restart);
     for (const CellResult& result : journal_->finished()) keep(result);
   }
 
@@ -71,10 +70,10 @@ class MapRecord {
     std::vector<CellResult> results;
     results.reserve(results_.size());
     for (const std::optional<CellResult>& result : results_) results.push_back(result.value());
-    OutputFiles files(options_.outputs.csv, options_.outputs.json);
-    files.write(map_csv(options_.grid, results), map_json(options_.grid, results));
+    OutputFiles files(outputs_.csv, outputs_.json);
+    files.write(map_.csv(results), map_.json(results));
     journal_->remove();
-    print(map_summary(options_.grid, results));
+    print(map_.summary(results));
   }
 
  private:
@@ -84,17 +83,12 @@ class MapRecord {
     place = result;
   }
 
-  const MapOptions& options_;
+  const CellMap& map_;
+  const Outputs& outputs_;
   std::optional<MapJournal> journal_;
   std::vector<std::optional<CellResult>> results_;
   std::int64_t done_ = 0;
 };
-
-// Short enough that a kill costs little and one slow rank does not hold the others up for long.
-std::size_t cells_in_round(const MapOptions& options, std::size_t threads) {
-  constexpr std::int64_t kSteps = 200000;  // some 0.1 s
-  return threads * static_cast<std::size_t>(std::clamp<std::int64_t>(kSteps / options.grid.steps, 1, 1000));
-}
 
 std::vector<std::int64_t> part_of(const std::vector<std::int64_t>& cells, std::size_t begin,
                                   std::size_t size) {
@@ -103,48 +97,50 @@ std::vector<std::int64_t> part_of(const std::vector<std::int64_t>& cells, std::s
   return {cells.begin() + static_cast<std::ptrdiff_t>(from), cells.begin() + static_cast<std::ptrdiff_t>(to)};
 }
 
-void compute_all(const MapOptions& options, Ranks& ranks, std::optional<MapRecord>& record) {
+void compute_all(const CellMap& map, const MapRun& run, Ranks& ranks, std::optional<MapRecord>& record) {
   std::string bytes;
   if (record) bytes = to_bytes(record->cells_to_do());
   const std::vector<std::int64_t> cells = from_bytes<std::int64_t>(ranks.broadcast(bytes));
-  const std::size_t threads = thread_count(options.threads, ranks.count());
-  // Every rank the same, or they would not go through the same rounds.
-  const std::size_t size = from_bytes<std::size_t>(
-      ranks.broadcast(to_bytes(std::vector<std::size_t>{cells_in_round(options, threads)})))[0];
+  const std::size_t threads = thread_count(run.threads, ranks.count());
+  // Short enough that a kill costs little and one slow rank does not hold the others up for long. Every rank
+  // the same, or they would not go through the same rounds.
+  const std::size_t wish = threads * static_cast<std::size_t>(map.cells_in_round());
+  const std::size_t size =
+      from_bytes<std::size_t>(ranks.broadcast(to_bytes(std::vector<std::size_t>{wish})))[0];
   std::optional<ProgressBar> progress;
-  if (record) progress.emplace(options.grid.cell_count());
+  if (record) progress.emplace(map.cell_count());
   const std::size_t all_ranks = static_cast<std::size_t>(ranks.count());
   for (std::size_t begin = 0; begin < cells.size(); begin += size * all_ranks) {
     std::string own;
     ranks.together([&] {
       const std::size_t own_begin = begin + size * static_cast<std::size_t>(ranks.rank());
-      own = to_bytes(computed_by_threads(options.grid, part_of(cells, own_begin, size), threads));
+      own = to_bytes(computed_by_threads(map, part_of(cells, own_begin, size), threads));
     });
     const std::vector<std::string> from_ranks = ranks.gather(own);
     ranks.together([&] {
       if (!record) return;
       record->add(from_ranks);
-      progress->show(record->done(), options.grid.contenders.front().name);
+      progress->show(record->done(), "cells");
     });
   }
 }
 
 }  // namespace
 
-void make_map(const MapOptions& options, Ranks& ranks) {
-  const std::string first_ranks = ranks.broadcast(description(options.grid));
+void make_map(const CellMap& map, const MapRun& run, Ranks& ranks) {
+  const std::string first_ranks = ranks.broadcast(map.description());
   std::optional<MapRecord> record;
   ranks.together([&] {
-    if (description(options.grid) != first_ranks) {
+    if (map.description() != first_ranks) {
       throw std::runtime_error("the ranks were given different options or programs; valid are the same");
     }
-    if (ranks.is_first()) record.emplace(options);
+    if (ranks.is_first()) record.emplace(map, run);
   });
   try {
-    compute_all(options, ranks, record);
+    compute_all(map, run, ranks, record);
   } catch (const Interrupted& interrupted) {
     throw Interrupted(interrupted.signal(), "interrupted; the finished cells are in \"" +
-                                                journal_path(options.outputs).string() +
+                                                journal_path(run.outputs).string() +
                                                 "\", from which the same command goes on");
   }
   ranks.together([&] {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenario/build_info.h"
+#include "workprecision/axes_json.h"
 #include "workprecision/motion.h"
 #include "world/run.h"
 
@@ -20,17 +21,7 @@ Vector3 spin_direction_B(SpinStart start) {
   return {std::sin(kAside), std::cos(kAside), 0.0};
 }
 
-Json axis_json(const LogarithmicAxis& axis) {
-  return {axis.from, axis.to, axis.count};
-}
-
 }  // namespace
-
-double LogarithmicAxis::at(std::int64_t i) const {
-  if (i == 0) return from;
-  if (i == count - 1) return to;  // without rounding
-  return from * std::pow(to / from, static_cast<double>(i) / static_cast<double>(count - 1));
-}
 
 std::int64_t MapGrid::cell_count() const {
   return static_cast<std::int64_t>(contenders.size()) * omega_dt.count * inertia_ratio.count;
@@ -43,32 +34,39 @@ MapCell cell_at(const MapGrid& grid, std::int64_t index) {
           grid.inertia_ratio.at(index % ratios)};
 }
 
+Vector3 moments_of(double inertia_ratio) {
+  return {1.0, 0.5 * (std::max(1.0, inertia_ratio - 1.0) + inertia_ratio), inertia_ratio};
+}
+
 FreeBody body_of(const MapCell& cell, SpinStart start) {
-  const double greatest = cell.inertia_ratio;
-  const double middle = 0.5 * (std::max(1.0, greatest - 1.0) + greatest);
   FreeBody body;
-  body.inertia_B = {1.0, middle, greatest};
+  body.inertia_B = moments_of(cell.inertia_ratio);
   body.omega_W = cell.omega_dt / kMapTimeStep * spin_direction_B(start);
   return body;
 }
 
-CellResult computed(const MapGrid& grid, std::int64_t index) {
-  const MapCell cell = cell_at(grid, index);
-  const auto kernel = make_kernel(grid.contenders[cell.contender], body_of(cell, grid.start), kMapTimeStep);
-  const Motion motion = follow(*kernel, grid.steps);
-  return {index, motion.worst_energy_error, motion.diverged ? motion.steps + 1 : 0};
+CellResult MapGrid::computed(std::int64_t index) const {
+  const MapCell cell = cell_at(*this, index);
+  const auto kernel = make_kernel(contenders[cell.contender], body_of(cell, start), kMapTimeStep);
+  const Motion motion = follow(*kernel, steps);
+  return {index, {motion.worst_energy_error}, motion.diverged ? motion.steps + 1 : 0};
 }
 
-std::string description(const MapGrid& grid) {
+std::int64_t MapGrid::cells_in_round() const {
+  constexpr std::int64_t kSteps = 200000;
+  return std::clamp<std::int64_t>(kSteps / steps, 1, 1000);
+}
+
+std::string MapGrid::description() const {
   Json json;
   json["journal"] = "polhode_workprecision map 1";
   json["polhode_version"] = kVersion;
   json["precision"] = bullet_precision();
-  for (const Contender& contender : grid.contenders) json["contenders"].push_back(contender.name);
-  json["omega_dt"] = axis_json(grid.omega_dt);
-  json["inertia_ratio"] = axis_json(grid.inertia_ratio);
-  json["steps"] = grid.steps;
-  json["start"] = to_string(grid.start);
+  for (const Contender& contender : contenders) json["contenders"].push_back(contender.name);
+  json["omega_dt"] = axis_json(omega_dt);
+  json["inertia_ratio"] = axis_json(inertia_ratio);
+  json["steps"] = steps;
+  json["start"] = to_string(start);
   return json.dump();
 }
 

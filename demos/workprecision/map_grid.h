@@ -5,18 +5,11 @@
 #include <vector>
 
 #include "record/contender.h"
+#include "workprecision/axes.h"
+#include "workprecision/cell_map.h"
 #include "workprecision/kernel.h"
 
 namespace polhode::demos {
-
-/// Values equally far apart in their logarithm, both ends included.
-struct LogarithmicAxis {
-  double from;
-  double to;
-  std::int64_t count;
-
-  double at(std::int64_t i) const;
-};
 
 enum class SpinStart {
   middle_axis,  ///< 0.01 rad beside the middle axis, about which no spin is stable
@@ -24,7 +17,7 @@ enum class SpinStart {
 };
 
 /// What is mapped: for each contender a cell for each pair of |omega| dt and inertia ratio I_3/I_1.
-struct MapGrid {
+struct MapGrid : CellMap {
   std::vector<Contender> contenders;
   LogarithmicAxis omega_dt{0.01, 3.0, 48};
   LogarithmicAxis inertia_ratio{1.1, 20.0, 24};
@@ -32,7 +25,16 @@ struct MapGrid {
   SpinStart start = SpinStart::middle_axis;
 
   /// Contender by contender, in each of them |omega| dt by |omega| dt.
-  std::int64_t cell_count() const;
+  std::int64_t cell_count() const override;
+  /// The largest |E/E0 - 1|, up to the divergence if there was one.
+  std::size_t figure_count() const override { return 1; }
+  CellResult computed(std::int64_t index) const override;
+  std::string description() const override;
+  std::int64_t cells_in_round() const override;
+  std::string csv(const std::vector<CellResult>& results) const override;
+  std::string json(const std::vector<CellResult>& results) const override;
+  /// Per contender, how much of the grid stayed sound and how well.
+  std::string summary(const std::vector<CellResult>& results) const override;
 };
 
 struct MapCell {
@@ -47,21 +49,11 @@ MapCell cell_at(const MapGrid& grid, std::int64_t index);
 /// Bullet's cap on the explicit torque.
 inline constexpr double kMapTimeStep = 1.0 / 60.0;  // s
 
-/// A body that can exist: I_2 is in the middle of what the triangle inequality leaves it between I_1 and I_3.
+/// The moments of a body that can exist, I_1 being 1 kg m^2: I_2 is in the middle of what the triangle
+/// inequality leaves it between I_1 and I_3.
+Vector3 moments_of(double inertia_ratio);
+
 FreeBody body_of(const MapCell& cell, SpinStart start);
-
-/// What a cell's run came to.
-struct CellResult {
-  std::int64_t index;
-  double worst_energy_error;   ///< up to the divergence, if there was one
-  std::int64_t diverged_step;  ///< 0: none
-};
-
-/// @throws Interrupted
-CellResult computed(const MapGrid& grid, std::int64_t index);
-
-/// All that the results depend on, this program's version included, in one line of JSON.
-std::string description(const MapGrid& grid);
 
 std::string to_string(SpinStart start);
 

@@ -24,9 +24,10 @@ namespace fs = std::filesystem;
   throw std::runtime_error("\"" + file.string() + "\": " + what);
 }
 
-std::string line_of(const CellResult& result) {
-  return number_text(result.index) + " " + full_number_text(result.worst_energy_error) + " " +
-         number_text(result.diverged_step) + "\n";
+std::string line_of(const CellResult& result, std::size_t figure_count) {
+  std::string line = number_text(result.index) + " ";
+  for (std::size_t i = 0; i < figure_count; ++i) line += full_number_text(result.figures[i]) + " ";
+  return line + number_text(result.diverged_step) + "\n";
 }
 
 template <class Number>
@@ -38,14 +39,16 @@ bool read_number(const char*& at, const char* end, Number& number, char after) {
 }
 
 // The cell that a line holds, its newline included; nothing if it is torn.
-std::optional<CellResult> cell_in(const std::string& line, const MapGrid& grid) {
+std::optional<CellResult> cell_in(const std::string& line, const CellMap& map) {
   CellResult result{};
   const char* at = line.data();
   const char* end = at + line.size();
-  const bool whole = read_number(at, end, result.index, ' ') &&
-                     read_number(at, end, result.worst_energy_error, ' ') &&
-                     read_number(at, end, result.diverged_step, '\n');
-  if (!whole || result.index < 0 || result.index >= grid.cell_count()) return std::nullopt;
+  bool whole = read_number(at, end, result.index, ' ');
+  for (std::size_t i = 0; i < map.figure_count(); ++i) {
+    whole = whole && read_number(at, end, result.figures[i], ' ');
+  }
+  whole = whole && read_number(at, end, result.diverged_step, '\n');
+  if (!whole || result.index < 0 || result.index >= map.cell_count()) return std::nullopt;
   return result;
 }
 
@@ -65,10 +68,11 @@ std::string difference(const std::string& there, const std::string& here) {
 
 }  // namespace
 
-MapJournal::MapJournal(const fs::path& file, const MapGrid& grid, bool restart) : path_(file) {
+MapJournal::MapJournal(const fs::path& file, const CellMap& map, bool restart)
+    : path_(file), figure_count_(map.figure_count()) {
   open(restart);
   try {
-    read(grid);
+    read(map);
   } catch (...) {
     ::close(descriptor_);
     throw;
@@ -89,18 +93,18 @@ void MapJournal::open(bool restart) {
   if (restart && ::ftruncate(descriptor_, 0) != 0) fail(path_, std::strerror(errno));
 }
 
-void MapJournal::read(const MapGrid& grid) {
-  const std::string header = description(grid) + "\n";
+void MapJournal::read(const CellMap& map) {
+  const std::string header = map.description() + "\n";
   const std::string text = read_text_file(path_);
   // Killed before its first line was whole: it holds nothing yet.
   if (text.size() < header.size() && header.compare(0, text.size(), text) == 0) return start_over(header);
   if (text.compare(0, header.size(), header) != 0) {
-    fail(path_, "is of another run: " + difference(text.substr(0, text.find('\n')), description(grid)) +
+    fail(path_, "is of another run: " + difference(text.substr(0, text.find('\n')), map.description()) +
                     "; delete it, or start over with --restart");
   }
   std::size_t good = header.size();
   for (std::size_t end = text.find('\n', good); end != std::string::npos; end = text.find('\n', good)) {
-    const std::optional<CellResult> result = cell_in(text.substr(good, end + 1 - good), grid);
+    const std::optional<CellResult> result = cell_in(text.substr(good, end + 1 - good), map);
     if (!result) break;
     finished_.push_back(*result);
     good = end + 1;
@@ -117,7 +121,7 @@ void MapJournal::start_over(const std::string& header) {
 
 void MapJournal::append(const std::vector<CellResult>& results) {
   std::string lines;
-  for (const CellResult& result : results) lines += line_of(result);
+  for (const CellResult& result : results) lines += line_of(result, figure_count_);
   write(lines);
 }
 

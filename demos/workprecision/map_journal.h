@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "workprecision/map_grid.h"
+#include "workprecision/cell_map.h"
 
 namespace polhode::demos {
 
@@ -15,7 +15,7 @@ class MapJournal {
  public:
   /// Goes on with the file if it is there, or starts it.
   /// @throws std::runtime_error that says what to do: it is another map's, in use, or cannot be written.
-  MapJournal(const std::filesystem::path& file, const MapGrid& grid, bool restart);
+  MapJournal(const std::filesystem::path& file, const CellMap& map, bool restart);
   ~MapJournal();
   MapJournal(const MapJournal&) = delete;
   MapJournal& operator=(const MapJournal&) = delete;
@@ -28,12 +28,13 @@ class MapJournal {
 
  private:
   void open(bool restart);
-  void read(const MapGrid& grid);
+  void read(const CellMap& map);
   void start_over(const std::string& header);
   void write(const std::string& text);
 
   std::filesystem::path path_;
   int descriptor_ = -1;
+  std::size_t figure_count_;
   std::vector<CellResult> finished_;
 };
 

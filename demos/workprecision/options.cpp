@@ -17,6 +17,10 @@ constexpr Range kLevelRange{1, 30};
 constexpr Range kRoundRange{1, 1e6};
 constexpr Range kOmegaDtRange{1e-6, 1e3};
 constexpr Range kRatioRange{1.0, 1e6};
+constexpr Range kJointOmegaDtRange{1e-4, 3.1};  // below a half turn, which has no direction
+constexpr Range kTiltRange{0.0, 3.1415926535897931};
+constexpr Range kJointDtRange{1e-5, 0.5};
+constexpr Range kJointTimeRange{2.0, 1000.0};
 constexpr Range kCountRange{1, 10000};
 constexpr Range kStepsRange{1, kMostSteps};
 constexpr Range kThreadRange{1, 1024};
@@ -49,7 +53,8 @@ class Subcommand {
     })->expected(3);
   }
 
-  void axis(const std::string& name, const std::string& help, const Range& range, LogarithmicAxis& axis) {
+  template <class Axis>
+  void axis(const std::string& name, const std::string& help, const Range& range, Axis& axis) {
     add(name, "NUMBER", help, [=, &axis](const Texts& texts) {
       axis.from = option_number(name, texts[0], range);
       axis.to = option_number(name, texts[1], range);
@@ -62,6 +67,18 @@ class Subcommand {
     value = all_contenders();
     add(names, "NAME", "A scheme or a mode of Bullet's; repeatable (default: all)",
         [&value](const Texts& texts) { value = find_contenders(texts); })
+        ->allow_extra_args(false);
+  }
+
+  void schemes(std::vector<Contender>& value) {
+    add("--scheme", "NAME", "A scheme; repeatable (default: exact). Bullet's modes are always there",
+        [&value](const Texts& texts) { value = schemes_and_bullet(texts); })
+        ->allow_extra_args(false);
+  }
+
+  void kinds(std::vector<JointKind>& value) {
+    add("--kind", "NAME", "hinge, motor, weld, point, lock or spring; repeatable (default: all)",
+        [&value](const Texts& texts) { value = find_joint_kinds(texts); })
         ->allow_extra_args(false);
   }
 
@@ -137,6 +154,13 @@ void declare(Subcommand& command, CostOptions& options) {
   command.outputs("the costs", options.outputs);
 }
 
+void declare_run(Subcommand& command, MapRun& run) {
+  command.whole_number("--threads", "Of each process (default: one per core; under MPI one)", kThreadRange,
+                       run.threads);
+  command.app().add_flag("--restart", run.restart, "Start over in place of going on");
+  command.outputs("the map", run.outputs);
+}
+
 void declare(Subcommand& command, MapOptions& options) {
   MapGrid& grid = options.grid;
   command.contenders("--contender,--scheme", grid.contenders);
@@ -146,19 +170,31 @@ void declare(Subcommand& command, MapOptions& options) {
                grid.inertia_ratio);
   command.whole_number("--steps", "Of each cell (default: 1000)", kStepsRange, grid.steps);
   command.start(grid.start);
-  command.whole_number("--threads", "Of each process (default: one per core; under MPI one)", kThreadRange,
-                       options.threads);
-  command.app().add_flag("--restart", options.restart, "Start over in place of going on");
-  command.outputs("the map", options.outputs);
+  declare_run(command, options.run);
+}
+
+void declare(Subcommand& command, JointsOptions& options) {
+  JointsGrid& grid = options.grid;
+  command.schemes(grid.contenders);
+  command.kinds(grid.kinds);
+  command.axis("--omega-dt", "|omega| dt, rad: from, to, how many (default: 0.01 3 16)", kJointOmegaDtRange,
+               grid.omega_dt);
+  command.axis("--inertia-ratio", "I_3/I_1: from, to, how many (default: 1 20 8)", kRatioRange,
+               grid.inertia_ratio);
+  command.axis("--tilt", "Of the spin from the axis of I_1, rad: from, to, how many (default: 0 pi/2 7)",
+               kTiltRange, grid.tilt);
+  command.number("--dt", "Length of a step, s (default: 1/60)", kJointDtRange, grid.dt_s);
+  command.number("--time", "Of each cell, s (default: 10)", kJointTimeRange, grid.time_s);
+  declare_run(command, options.run);
 }
 
 void check(const FreeBody& body) {
   if (body.omega_W.isZero(0.0)) throw std::invalid_argument("--omega: is 0; valid is a body that spins");
 }
 
-void check(const MapOptions& options) {
-  if (options.outputs.csv || options.outputs.json) return;
-  throw std::invalid_argument("map writes files; valid are --csv FILE, --json FILE or both");
+void check(const std::string& command, const MapRun& run) {
+  if (run.outputs.csv || run.outputs.json) return;
+  throw std::invalid_argument(command + " writes files; valid are --csv FILE, --json FILE or both");
 }
 
 }  // namespace
@@ -170,12 +206,15 @@ std::optional<WorkPrecisionOptions> parse_work_precision_options(int argument_co
   CurveOptions curve;
   CostOptions cost;
   MapOptions map;
+  JointsOptions joints;
   Subcommand curve_command(app, "curve", "Error against cost over a ladder of time steps");
   Subcommand cost_command(app, "cost", "What a step costs");
   Subcommand map_command(app, "map", "Energy error over |omega| dt and the inertia ratio");
+  Subcommand joints_command(app, "joints", "Joint errors and energy of constrained bodies, against Bullet's");
   declare(curve_command, curve);
   declare(cost_command, cost);
   declare(map_command, map);
+  declare(joints_command, joints);
   if (!parse(app, argument_count, arguments)) return std::nullopt;
   if (curve_command.chosen()) {
     curve_command.read();
@@ -187,8 +226,13 @@ std::optional<WorkPrecisionOptions> parse_work_precision_options(int argument_co
     check(cost.body);
     return cost;
   }
+  if (joints_command.chosen()) {
+    joints_command.read();
+    check("joints", joints.run);
+    return joints;
+  }
   map_command.read();
-  check(map);
+  check("map", map.run);
   return map;
 }
 

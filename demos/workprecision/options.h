@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "workprecision/joints/joints_grid.h"
 #include "workprecision/kernel.h"
 #include "workprecision/map_grid.h"
 
@@ -37,14 +38,24 @@ struct CostOptions {
   Outputs outputs;
 };
 
-struct MapOptions {
-  MapGrid grid;
+/// How a map is computed and where it goes: nothing that its cells depend on.
+struct MapRun {
   std::int64_t threads = 0;  ///< 0: as many as there are cores, or one under MPI
   bool restart = false;
   Outputs outputs;
 };
 
-using WorkPrecisionOptions = std::variant<CurveOptions, CostOptions, MapOptions>;
+struct MapOptions {
+  MapGrid grid;
+  MapRun run;
+};
+
+struct JointsOptions {
+  JointsGrid grid;
+  MapRun run;
+};
+
+using WorkPrecisionOptions = std::variant<CurveOptions, CostOptions, MapOptions, JointsOptions>;
 
 /// Nothing if the command line asked for --help or --version, which is then printed.
 /// @throws std::invalid_argument that says what is wrong and what is valid

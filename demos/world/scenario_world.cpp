@@ -5,7 +5,6 @@
 
 #include <utility>
 
-#include "polhode/bullet/rotation_world.h"
 #include "polhode/rotation_limits.h"
 #include "scenario/start_motion.h"
 #include "world/body_rotation.h"
@@ -13,48 +12,18 @@
 
 namespace polhode::demos {
 
-namespace {
-
-int bullet_flags(BulletMode mode) {
-  switch (mode) {
-    case BulletMode::explicit_force:
-      return BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT;
-    case BulletMode::implicit_world:
-      return BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD;
-    case BulletMode::implicit_body:
-      return BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
-    case BulletMode::none:
-      break;
-  }
-  return 0;
-}
-
-}  // namespace
-
-ScenarioWorld::ScenarioWorld(const Scenario& scenario, const Contender& contender) : scenario_(scenario) {
-  make_world(contender);
-  add_body(scenario.body, contender);
-  for (const Body& other : scenario.others) add_body(other, contender);
+ScenarioWorld::ScenarioWorld(const Scenario& scenario, const Contender& contender)
+    : scenario_(scenario), world_(contender) {
+  world().setGravity(to_bullet(scenario_.gravity_W));
+  world().getSolverInfo().m_numIterations = scenario_.solver_iterations;
+  add_body(scenario.body);
+  for (const Body& other : scenario.others) add_body(other);
   if (scenario.ground) add_ground(*scenario.ground);
   if (scenario.constraint) add_constraint(*scenario.constraint);
 }
 
 ScenarioWorld::~ScenarioWorld() {
-  if (constraint_) world_->removeConstraint(constraint_.get());
-}
-
-void ScenarioWorld::make_world(const Contender& contender) {
-  if (const SchemePointer* scheme = std::get_if<SchemePointer>(&contender.method)) {
-    auto world = std::make_unique<RotationWorld<btDiscreteDynamicsWorld>>(&dispatcher_, &broadphase_,
-                                                                          &solver_, &configuration_);
-    world->rotation().set_default_scheme(*scheme);
-    rotation_ = &world->rotation();
-    world_ = std::move(world);
-  } else {
-    world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);
-  }
-  world_->setGravity(to_bullet(scenario_.gravity_W));
-  world_->getSolverInfo().m_numIterations = scenario_.solver_iterations;
+  if (constraint_) world().removeConstraint(constraint_.get());
 }
 
 btRigidBody& ScenarioWorld::keep_body(BodyShape shape, btScalar mass) {
@@ -64,7 +33,7 @@ btRigidBody& ScenarioWorld::keep_body(BodyShape shape, btScalar mass) {
   return *bodies_.back();
 }
 
-void ScenarioWorld::add_body(const Body& description, const Contender& contender) {
+void ScenarioWorld::add_body(const Body& description) {
   BodyShape shape = make_shape(description);
   const StartMotion start = start_motion(description, shape.inertia_B);
   btRigidBody& body = keep_body(std::move(shape), static_cast<btScalar>(description.mass));
@@ -76,8 +45,8 @@ void ScenarioWorld::add_body(const Body& description, const Contender& contender
   body.setDamping(static_cast<btScalar>(description.linear_damping),
                   static_cast<btScalar>(description.angular_damping));
   body.setActivationState(DISABLE_DEACTIVATION);
-  if (const BulletMode* mode = std::get_if<BulletMode>(&contender.method)) body.setFlags(bullet_flags(*mode));
-  world_->addRigidBody(&body);
+  world_.set_gyroscopic_flag(body);
+  world().addRigidBody(&body);
 }
 
 void ScenarioWorld::add_ground(const Ground& ground) {
@@ -88,18 +57,18 @@ void ScenarioWorld::add_ground(const Ground& ground) {
   btRigidBody& body = keep_body(std::move(plane), btScalar(0));
   body.setFriction(static_cast<btScalar>(ground.friction));
   body.setRestitution(static_cast<btScalar>(ground.restitution));
-  world_->addRigidBody(&body);
+  world().addRigidBody(&body);
 }
 
 void ScenarioWorld::add_constraint(const PointToPoint& constraint) {
   constraint_ = std::make_unique<btPoint2PointConstraint>(*bodies_.front(), to_bullet(constraint.pivot_B));
-  world_->addConstraint(constraint_.get());
+  world().addConstraint(constraint_.get());
 }
 
 void ScenarioWorld::step() {
   // Bullet clears the torques after each step.
   bodies_.front()->applyTorque(to_bullet(scenario_.torque_W));
-  world_->stepSimulation(static_cast<btScalar>(scenario_.dt), 0);
+  world().stepSimulation(static_cast<btScalar>(scenario_.dt), 0);
   ++steps_;
 }
 
@@ -113,8 +82,8 @@ std::optional<Sample> ScenarioWorld::sample() const {
 }
 
 std::optional<RotationState> ScenarioWorld::rotation() const {
-  if (rotation_ != nullptr) {
-    const BodyRotation rotation = rotation_->rotation_of(body());
+  if (const RotationControl* control = world_.rotation()) {
+    const BodyRotation rotation = control->rotation_of(body());
     return rotation.diverged ? std::nullopt : std::optional(rotation.state);
   }
   const RotationState state = rotation_of(body());

@@ -1,16 +1,8 @@
 // polhode_workprecision map, as a process: the same bytes whoever computes them, and however often it is
 // killed.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <chrono>
-#include <csignal>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <thread>
 
-#include "demos/workprecision/tool.h"
+#include "demos/workprecision/cell_map_test.h"
 #include "workprecision/map_grid.h"
 
 namespace polhode::demos {
@@ -19,22 +11,12 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-class StabilityMap : public testing::Test {
+class StabilityMap : public CellMapTest {
  protected:
-  std::vector<std::string> arguments(const std::string& file,
-                                     const std::vector<std::string>& more = {}) const {
-    std::vector<std::string> all = {
-        "map",        "--scheme", "rk4", "--scheme", "semi_implicit_gyroscopic",
-        "--omega-dt", "0.05",     "2",   "8",        "--inertia-ratio",
-        "1.2",        "5",        "5",   "--csv",    (directory_ / file).string()};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
-  std::string map(const std::string& file, const std::vector<std::string>& more = {}) const {
-    work_precision(arguments(file, more));
-    return read_file(directory_ / file);
-  }
+  StabilityMap()
+      : CellMapTest({"map", "--scheme", "rk4", "--scheme", "semi_implicit_gyroscopic", "--omega-dt", "0.05",
+                     "2", "8", "--inertia-ratio", "1.2", "5", "5"},
+                    {"--steps", "100000"}) {}
 
   static std::string first_line_of_journal(std::int64_t steps = 1000) {
     MapGrid grid;
@@ -42,49 +24,12 @@ class StabilityMap : public testing::Test {
     grid.contenders = find_contenders({"rk4", "semi_implicit_gyroscopic"});
     grid.omega_dt = {0.05, 2.0, 8};
     grid.inertia_ratio = {1.2, 5.0, 5};
-    return description(grid) + "\n";
+    return grid.description() + "\n";
   }
-
-  static std::string line(const std::string& text, int number) {
-    std::istringstream stream(text);
-    std::string line;
-    for (int i = 0; i <= number; ++i) std::getline(stream, line);
-    return line;
-  }
-
-  std::string expect_refusal(const std::vector<std::string>& more = {}) const {
-    const CommandResult result = Command(POLHODE_WORKPRECISION_EXECUTABLE, arguments("out.csv", more)).wait();
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(std::count(result.standard_error.begin(), result.standard_error.end(), '\n'), 1);
-    EXPECT_FALSE(std::filesystem::exists(directory_ / "out.csv"));
-    return result.standard_error;
-  }
-
-  // A map that takes about a second, under way: some of its cells are in the journal.
-  std::unique_ptr<Command> under_way(const std::string& file) const {
-    auto command = std::make_unique<Command>(POLHODE_WORKPRECISION_EXECUTABLE, arguments(file, long_run_));
-    for (int i = 0; i < 1000 && lines_of_journal(file) < 5; ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return command;
-  }
-
-  std::int64_t lines_of_journal(const std::string& file) const {
-    const std::string text = read_file(directory_ / (file + ".partial"));
-    return std::count(text.begin(), text.end(), '\n');
-  }
-
-  TemporaryDirectory directory_;
-  std::vector<std::string> long_run_ = {"--steps", "100000", "--threads", "1"};
 };
 
 TEST_F(StabilityMap, HasTheSameBytesForAnyNumberOfThreads) {
-  const std::string one = map("one.csv", {"--threads", "1", "--json", (directory_ / "one.json").string()});
-  EXPECT_EQ(map("seven.csv", {"--threads", "7", "--json", (directory_ / "seven.json").string()}), one);
-  EXPECT_EQ(read_file(directory_ / "one.json"), read_file(directory_ / "seven.json"));
-  EXPECT_EQ(std::count(one.begin(), one.end(), '\n'), 1 + 2 * 8 * 5);
-  EXPECT_EQ(directory_.file_count(), 4) << "and no journal";
-  expect_documented_columns(one);
+  expect_the_same_bytes_for_any_number_of_threads(2 * 8 * 5);
 }
 
 TEST_F(StabilityMap, MarksWhatDiverged) {
@@ -104,16 +49,7 @@ TEST_F(StabilityMap, MarksWhatDiverged) {
 }
 
 TEST_F(StabilityMap, GoesOnWhereItWasKilled) {
-  const std::string whole = map("whole.csv", long_run_);
-  const auto killed = under_way("out.csv");
-  killed->send_signal(SIGKILL);
-  EXPECT_EQ(killed->wait().exit_code, -1);
-  const std::int64_t lines = lines_of_journal("out.csv");
-  EXPECT_GE(lines, 5);
-  EXPECT_LT(lines, 81) << "killed too late to show anything";
-  EXPECT_FALSE(std::filesystem::exists(directory_ / "out.csv"));
-  EXPECT_EQ(map("out.csv", {"--steps", "100000", "--threads", "2"}), whole);
-  EXPECT_EQ(directory_.file_count(), 2) << "the journal is gone";
+  expect_to_go_on_where_it_was_killed(2 * 8 * 5);
 }
 
 TEST_F(StabilityMap, SaysWhereItStandsWhenItIsStopped) {

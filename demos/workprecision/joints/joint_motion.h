@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "workprecision/joints/joint_scene.h"
+
+namespace polhode::demos {
+
+/// A scene's run from the start to its end or to the divergence. The first second is for the start to settle:
+/// nothing is measured in it but the divergence.
+struct JointMotion {
+  std::int64_t steps = 0;  ///< that went well
+  bool diverged = false;   ///< the next one did not
+  double worst_joint_error = 0.0;
+  double worst_energy_gain = 0.0;  ///< the largest E/E0
+  double worst_speed_error = 0.0;
+};
+
+/// @throws Interrupted
+JointMotion follow(JointScene& scene, double dt_s, std::int64_t steps);
+
+}  // namespace polhode::demos

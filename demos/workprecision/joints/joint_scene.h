@@ -1,0 +1,86 @@
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <memory>
+#include <vector>
+
+#include "polhode/rotation_state.h"
+#include "workprecision/joints/joint_kind.h"
+#include "world/contender_world.h"
+
+namespace polhode::demos {
+
+/// How a scene starts.
+struct JointStart {
+  double omega_dt;       ///< how far the body turns in a step, rad; of a spring the phase of its swing
+  double inertia_ratio;  ///< I_3/I_1
+  double tilt;  ///< of the axis of spin from the axis of I_1, towards half way between the others, rad
+  double dt_s;
+};
+
+/// A constrained body, or two, in a world of their own: no gravity, no damping, no contact, no sleep, 30
+/// iterations of the solver. All that is measured is read from Bullet's bodies, as an application sees them.
+class JointScene {
+ public:
+  virtual ~JointScene();
+  JointScene(const JointScene&) = delete;
+  JointScene& operator=(const JointScene&) = delete;
+
+  void step();
+
+  /// How far the constraint is violated now, rad.
+  virtual double joint_error() const = 0;
+  /// Kinetic energy of all bodies, and what a spring holds.
+  virtual double energy_J() const;
+  /// What energy_J() is measured against: its value at the start, or what a motor shall bring it to.
+  virtual double reference_energy_J() const { return start_energy_J_; }
+  /// How far the speed is from what a motor shall hold, relative to that; without a motor 0.
+  virtual double speed_error() const { return 0.0; }
+
+  /// The constrained body; of a weld two.
+  btRigidBody& body(std::size_t index = 0) { return *bodies_.at(index); }
+
+  /// Not finite, past the library's limits, diverged by the library's word, or grown past any use.
+  bool diverged() const;
+
+ protected:
+  JointScene(const Contender& contender, const JointStart& start);
+
+  /// A body that collides with nothing.
+  btRigidBody& add_body(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& position_W,
+                        const Vector3& omega_W, const Vector3& velocity_W);
+  void add_constraint(std::unique_ptr<btTypedConstraint> constraint);
+  void set_start_energy() { start_energy_J_ = energy_J(); }
+
+  virtual void before_step() {}
+  virtual void after_step() {}
+
+  const JointStart& start() const { return start_; }
+  /// rad/s
+  double speed() const { return start_.omega_dt / start_.dt_s; }
+  Vector3 inertia_B() const;
+  /// The axis of spin in body axes.
+  Vector3 spin_axis_B() const;
+  /// The orientation in which the axis of spin lies along that axis of the world.
+  Quaternion start_orientation(const Vector3& spin_axis_W) const;
+
+  /// Part of no world. Each scene has its own: Bullet's is one for all threads.
+  btRigidBody& ground() { return ground_; }
+
+ private:
+  JointStart start_;
+  double start_energy_J_ = 0.0;
+  btSphereShape shape_{btScalar(0.1)};
+  btRigidBody ground_{btScalar(0), nullptr, nullptr};
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
+  ContenderWorld world_;  ///< after what it uses, so that it is destroyed before
+};
+
+std::unique_ptr<JointScene> make_joint_scene(JointKind kind, const Contender& contender,
+                                             const JointStart& start);
+
+}  // namespace polhode::demos
