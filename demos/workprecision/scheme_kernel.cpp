@@ -13,13 +13,13 @@ class SchemeKernel final : public Kernel {
     set_omega(start_, body.inertia_B, body.omega_W);
     state_ = start_;
     const double change = kick == Kick::every_step ? kKick : 0.0;
-    input_ = StepInput{body.inertia_B, Vector3::Constant(change), dt_s, dt_s};
+    input_ = StepInput{body.inertia_B, Vector3::Constant(change), dt_s};
   }
 
   void restart() override { state_ = start_; }
 
   void run(std::int64_t steps) override {
-    for (std::int64_t step = 0; step < steps; ++step) scheme_->step_with_memory(input_, state_, memory_);
+    for (std::int64_t step = 0; step < steps; ++step) scheme_->step(input_, state_);
   }
 
   RotationState state() const override { return state_; }
@@ -31,7 +31,6 @@ class SchemeKernel final : public Kernel {
   StepInput input_;
   RotationState start_;
   RotationState state_;
-  SchemeMemory memory_;
 };
 
 }  // namespace

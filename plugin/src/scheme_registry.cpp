@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "schemes/scheme_definition.h"
+#include "scheme_base/scheme_definition.h"
 
 namespace polhode {
 
@@ -14,22 +14,6 @@ SchemePointer unowned(const RotationScheme& scheme) {
 }
 
 }  // namespace
-
-std::string_view to_string(Conservation conservation) {
-  switch (conservation) {
-    case Conservation::exact:
-      return "exactly";
-    case Conservation::bounded:
-      return "boundedly";
-    case Conservation::lost:
-      break;
-  }
-  return "not";
-}
-
-std::string order_text(std::optional<int> order) {
-  return order ? std::to_string(*order) : "exact";
-}
 
 const std::vector<SchemePointer>& built_in_schemes() {
   static const std::vector<SchemePointer> list = {

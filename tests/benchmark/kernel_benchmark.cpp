@@ -8,8 +8,8 @@
 
 #include "benchmark/paired_times.h"
 #include "benchmark/scene_start.h"
-#include "lanes/lane_scheme.h"
 #include "polhode/rotation_math.h"
+#include "scheme_base/wide_scheme.h"
 #include "world/conversions.h"
 
 namespace polhode::benchmarks {
@@ -86,13 +86,9 @@ class SchemeKernel final : public Kernel {
     for (const BoxStart& box : start.boxes) {
       const Vector3 inertia_B = demos::from_bullet(inertia_of(start, box));
       start_.push_back(state_of(box, inertia_B));
-      inputs_.push_back({inertia_B, Vector3::Zero(), double(kTimeStep), double(kTimeStep)});
+      inputs_.push_back({inertia_B, Vector3::Zero(), double(kTimeStep)});
     }
     states_ = start_;
-    memories_.resize(start_.size());
-    for (std::size_t i = 0; i < start_.size(); ++i) {
-      steps_.push_back({&inputs_[i], &states_[i], &memories_[i]});
-    }
   }
 
   void restart() override { states_ = start_; }
@@ -101,7 +97,7 @@ class SchemeKernel final : public Kernel {
     if (change != inputs_.front().delta_omega_W.x()) {
       for (StepInput& input : inputs_) input.delta_omega_W.setConstant(change);
     }
-    scheme_->step_bodies(steps_.data(), steps_.size());
+    for (std::size_t i = 0; i < states_.size(); ++i) scheme_->step(inputs_[i], states_[i]);
   }
 
  private:
@@ -109,52 +105,47 @@ class SchemeKernel final : public Kernel {
   std::vector<StepInput> inputs_;
   std::vector<RotationState> start_;
   std::vector<RotationState> states_;
-  std::vector<SchemeMemory> memories_;
-  std::vector<BodyStep> steps_;
 };
 
-/// As a RotationWorld hands bodies to a scheme of the library: eight of them in lanes.
-class LaneKernel final : public Kernel {
+/// As a RotationWorld steps the bodies of a scheme of the library: in batches of eight.
+class WideKernel final : public Kernel {
  public:
-  LaneKernel(const LaneScheme& scheme, const SceneStart& start)
-      : scheme_(scheme), blocks_(start.boxes.size() / kLanes), start_(blocks_.size()) {
-    memories_.resize(start.boxes.size());
-    for (std::size_t i = 0; i < blocks_.size() * kLanes; ++i) {
+  WideKernel(const WideScheme& scheme, const SceneStart& start)
+      : scheme_(scheme),
+        batches_(start.boxes.size() / kLanes),
+        start_(batches_.size()),
+        memory_(batches_.size() * scheme.memory_rows(), Wide(0.0)) {
+    for (std::size_t i = 0; i < batches_.size() * kLanes; ++i) {
       const std::size_t lane = i % kLanes;
       const Vector3 inertia_B = demos::from_bullet(inertia_of(start, start.boxes[i]));
-      Block& block = blocks_[i / kLanes];
-      set_lane(lane, inertia_B, block.input.inertia_B);
+      set_lane(lane, StepInput{inertia_B, Vector3::Zero(), double(kTimeStep)}, batches_[i / kLanes].input);
       set_lane(lane, state_of(start.boxes[i], inertia_B), start_[i / kLanes]);
-      block.memories.of[lane] = &memories_[i];
-    }
-    for (Block& block : blocks_) {
-      block.input.dt = block.input.turn_dt = double(kTimeStep);
-      block.memories.count = kLanes;
     }
   }
 
   void restart() override {
-    for (std::size_t i = 0; i < blocks_.size(); ++i) blocks_[i].state = start_[i];
+    for (std::size_t i = 0; i < batches_.size(); ++i) batches_[i].state = start_[i];
   }
 
   void pass(double change) override {
-    for (Block& block : blocks_) {
-      block.input.delta_omega_W.setConstant(Lanes(change));
-      scheme_.step_lanes(block.input, block.state, block.memories);
+    const WideMask all = WideMask::from_bits((1U << kLanes) - 1);
+    for (std::size_t i = 0; i < batches_.size(); ++i) {
+      Batch& batch = batches_[i];
+      batch.input.delta_omega_W.setConstant(Wide(change));
+      scheme_.step_wide(batch.input, all, batch.state, memory_.data() + i * scheme_.memory_rows());
     }
   }
 
  private:
-  struct Block {
-    LaneInput input;
-    LaneState state;
-    LaneMemories memories;
+  struct Batch {
+    WideStepInput input;
+    WideState state;
   };
 
-  const LaneScheme& scheme_;
-  std::vector<Block> blocks_;
-  std::vector<LaneState> start_;
-  std::vector<SchemeMemory> memories_;
+  const WideScheme& scheme_;
+  std::vector<Batch> batches_;
+  std::vector<WideState> start_;
+  std::vector<WideMemoryRow> memory_;
 };
 
 /// In ns per body and step. Every round begins afresh, since some schemes blow up; its first pass warms
@@ -170,8 +161,8 @@ double run_round(Kernel& kernel, double change) {
 
 std::unique_ptr<Kernel> make_kernel(const SchemePointer& scheme, const SceneStart& start) {
   if (scheme == nullptr) return std::make_unique<BulletKernel>(start);
-  if (const auto* in_lanes = dynamic_cast<const LaneScheme*>(scheme.get())) {
-    return std::make_unique<LaneKernel>(*in_lanes, start);
+  if (const auto* wide = dynamic_cast<const WideScheme*>(scheme.get())) {
+    return std::make_unique<WideKernel>(*wide, start);
   }
   return std::make_unique<SchemeKernel>(scheme, start);
 }

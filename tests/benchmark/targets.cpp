@@ -41,7 +41,7 @@ std::vector<Target> targets() {
       rows.end(),
       {{"RotationWorld, exact, 10,000 bodies kicked in every step", "world/exact/kicked/10000", kRatio, 0.85},
        {"RotationWorld, exact, settled pile of 2,000, awake", "world/exact/pile/2000", kRatio, 1.00},
-       {"RotationPlugin, exact, 10,000 free bodies", "plugin/exact/free/10000", kRatio, 1.10},
+       {"RotationPlugin, exact, 10,000 free bodies", "plugin/exact/free/10000", kRatio, 1.05},
        {"kernel: exact, free / Bullet's implicit term and turn", "kernel/exact/free", kRatio, 0.20},
        {"kernel: exact with set-up / the same of Bullet", "kernel/exact/set_up", kRatio, 0.80},
        {"bytes per managed body, of 10,000 or more", kLargeFreeWorld, counters::kBytesPerBody, 384.0},

@@ -80,7 +80,6 @@ btRigidBody& MtScene::add(btScalar mass, const btVector3& inertia_B, const btTra
 }
 
 void MtScene::step(btScalar dt) {
-  if (plugin_) plugin_->take_over_changes();
   world_->stepSimulation(dt, 0, dt);
 }
 

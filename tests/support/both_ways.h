@@ -17,8 +17,6 @@ class InRotationWorld : public Scene<RotationWorld<btDiscreteDynamicsWorld>> {
   static constexpr const char* kName = "InRotationWorld";
 
   RotationControl& rotation() { return world().rotation(); }
-  /// What a RotationPlugin has to be told.
-  void take_over_changes() {}
   /// Bullet rotates the body again.
   void let_go(btRigidBody& body) { world().removeRigidBody(&body); }
   void take_back(btRigidBody& body) { world().addRigidBody(&body); }
@@ -31,7 +29,6 @@ class UnderRotationPlugin : public Scene<btDiscreteDynamicsWorld> {
 
   RotationControl& rotation() { return plugin_.rotation(); }
   RotationPlugin& plugin() { return plugin_; }
-  void take_over_changes() { plugin_.take_over_changes(); }
   void let_go(btRigidBody& /*body*/) { plugin_.detach(); }
   void take_back(btRigidBody& /*body*/) { plugin_.attach(); }
 

@@ -2,7 +2,7 @@
 
 #include <btBulletDynamicsCommon.h>
 
-#include "bullet/conversions.h"
+#include "polhode/bullet/conversions.h"
 #include "polhode/rotation_math.h"
 
 /// What tests ask of a Bullet body, in double precision.
@@ -38,10 +38,14 @@ inline bool same_motion(const btRigidBody& a, const btRigidBody& b) {
          same(a.getLinearVelocity(), b.getLinearVelocity());
 }
 
-/// The body shows the library's state, rounded to Bullet's precision.
+/// The body shows the library's orientation, rounded to Bullet's precision.
+inline bool shows_orientation(const btRigidBody& body, const RotationState& state) {
+  return same(body.getWorldTransform().getBasis(), to_bullet(state.q_WB.toRotationMatrix()));
+}
+
+/// And its velocity, as every body does that is not in a joint or a contact.
 inline bool shows(const btRigidBody& body, const RotationState& state) {
-  return same(body.getWorldTransform().getBasis(), to_bullet(state.q_WB.toRotationMatrix())) &&
-         same(body.getAngularVelocity(), to_bullet(state.omega_W));
+  return shows_orientation(body, state) && same(body.getAngularVelocity(), to_bullet(state.omega_W));
 }
 
 inline btVector3 vector(double x, double y, double z) {

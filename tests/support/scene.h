@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace polhode::testing {
@@ -48,6 +49,7 @@ class Scene {
   Scene() { world_->setGravity(btVector3(0, 0, 0)); }
 
   ~Scene() {
+    for (const auto& joint : joints_) world_->removeConstraint(joint.get());
     for (const auto& body : bodies_) world_->removeRigidBody(body.get());
   }
 
@@ -65,7 +67,7 @@ class Scene {
     info.m_startWorldTransform = pose;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& body = *bodies_.back();
-    world_->addRigidBody(&body);
+    static_cast<btDynamicsWorld&>(*world_).addRigidBody(&body);  // the world's class may hide it
     if (mass != 0) body.setActivationState(DISABLE_DEACTIVATION);
     return body;
   }
@@ -105,6 +107,25 @@ class Scene {
     return add(mass, inertia_B, pose, shape);
   }
 
+  /// A joint of Bullet's, from the arguments of its constructor; bodies that it joins do not collide.
+  template <class Joint, class... Arguments>
+  Joint& join(Arguments&&... arguments) {
+    auto joint = std::make_unique<Joint>(std::forward<Arguments>(arguments)...);
+    Joint& added = *joint;
+    joints_.push_back(std::move(joint));
+    world_->addConstraint(&added, true);
+    return added;
+  }
+
+  /// Any shape; the scene keeps it.
+  template <class Shape, class... Arguments>
+  Shape& shape(Arguments&&... arguments) {
+    auto shape = std::make_unique<Shape>(std::forward<Arguments>(arguments)...);
+    Shape& added = *shape;
+    shapes_.push_back(std::move(shape));
+    return added;
+  }
+
   /// Takes the body out of the world and deletes it.
   void remove(btRigidBody& body) {
     world_->removeRigidBody(&body);
@@ -131,6 +152,7 @@ class Scene {
       make_world<World>(&dispatcher_, &broadphase_, solver_.get(), &configuration_);
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  std::vector<std::unique_ptr<btTypedConstraint>> joints_;
 };
 
 }  // namespace polhode::testing

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "free_top/substep.h"
 #include "polhode/rotation_state.h"
@@ -9,53 +11,71 @@ namespace polhode::free_top {
 
 /// One step of fixed length of one free motion, ready to be taken again and again. The constants are found
 /// once by make_free_top_step; a step then needs neither an elliptic nor a trigonometric function.
-/// Trivially copyable, so that it can be kept in a SchemeMemory.
+/// Real is double, or Wide for the steps of eight bodies. A step with all numbers 0 is empty.
+template <class Real>
 struct FreeTopStep {
-  // A step changes L and nothing else: what it does not write need not go back to memory.
+  /// Of a short step, which is one substep: order_of the axes (labels.h). Each substep of a long step adds
+  /// kOrders, and a long step adds kOrders once more. One number, since eight bodies' are tested at once.
+  Real kind;
+  Triple<Real>
+      L;    ///< the momentum in body axes now, in the order of the formulas; a step changes nothing else
+  Real dt;  ///< the step's length
 
-  /// Of a short step, a substep and nothing else, order_of the axes (labels.h); else kOrders more for each
-  /// substep, and once more. In one number, which a step in lanes has to look at.
-  double kind;
-  Triple<double> L;  ///< the momentum in body axes now, in the order of the formulas
-  // What it was made for.
-  Triple<double> inertia_B;
-  double dt;
+  Substep<Real> substep;
 
-  Substep<double> substep;
-
-  // The turn about L that is split off a long step, and all that there is if L stands still.
-  double cos_about_L;
-  double sin_about_L_per_length;
+  // The turn about L that is split off a long step; the only turn if L stands still.
+  Real cos_about_L;
+  Real sin_about_L_per_length;
 
   static constexpr double kOrders = 6.0;
+  static constexpr std::size_t kNumbers = 19;
 
-  bool is_short() const { return kind < kOrders; }
-  Axes<double> axes() const { return axes_of(kind - kOrders * std::floor(kind / kOrders)); }
-  /// So many make one step; 0: it is only the turn about L.
-  int substeps() const { return is_short() ? 1 : static_cast<int>(std::floor(kind / kOrders)) - 1; }
-  void set_substeps(int count) { kind = order_of(axes()) + kOrders * (count + 1); }
+  /// Calls function(number, i) for each of the kNumbers numbers.
+  template <class Self, class Function>
+  static POLHODE_INLINE void for_each_number(Self& step, Function function) {
+    std::size_t i = 0;
+    function(step.kind, i++);
+    for (auto& number : step.L) function(number, i++);
+    function(step.dt, i++);
+    for (auto& number : step.substep.mu) function(number, i++);
+    function(step.substep.cn, i++);
+    function(step.substep.dn, i++);
+    for (auto& number : step.substep.slope) function(number, i++);
+    for (auto& number : step.substep.pull_12) function(number, i++);
+    for (auto& number : step.substep.pull_23) function(number, i++);
+    function(step.cos_about_L, i++);
+    function(step.sin_about_L_per_length, i++);
+  }
 };
+static_assert(sizeof(FreeTopStep<double>) == FreeTopStep<double>::kNumbers * sizeof(double));
 
 /// |L|, kg m^2/s, under which a body is taken to be at rest: its square would underflow.
 inline constexpr double kAtRest = 1e-140;
 
-/// inertia_B: principal moments, kg m^2, each > 0. L_B: the angular momentum in body axes, kg m^2/s, at
-/// least kAtRest. dt in s. Where a result is beyond double precision the step's turn is not finite.
-FreeTopStep make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, double dt);
-
-/// Whether the step was made for this inertia and length.
-inline bool is_made_for(const FreeTopStep& step, const Vector3& inertia_B, double dt) {
-  return step.dt == dt && step.inertia_B[0] == inertia_B.x() && step.inertia_B[1] == inertia_B.y() &&
-         step.inertia_B[2] == inertia_B.z();
+template <class Real>
+POLHODE_INLINE auto is_short(const FreeTopStep<Real>& step) {
+  return step.kind < FreeTopStep<Real>::kOrders;
 }
 
-/// is_made_for, and its momentum is L_B up to rounding.
-bool fits(const FreeTopStep& step, const Vector3& inertia_B, const Vector3& L_B, double dt);
+/// @name Of one body
+/// @{
+Axes<double> axes_of(const FreeTopStep<double>& step);
+/// The number of substeps of one step; 0: the step is only the turn about L.
+int substeps_of(const FreeTopStep<double>& step);
+void set_substeps(FreeTopStep<double>& step, int count);
+
+/// inertia_B: principal moments, kg m^2, each > 0. L_B: the angular momentum in body axes, kg m^2/s, at
+/// least kAtRest. dt in s. Where a result is beyond double precision the step's turn is not finite.
+FreeTopStep<double> make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, double dt);
+
+/// Whether the step was made for this length, and its momentum is L_B up to rounding.
+bool fits(const FreeTopStep<double>& step, const Vector3& L_B, double dt);
 
 /// Takes the step: returns the orientation after it. L_W is the constant momentum.
-Quaternion advance(FreeTopStep& step, const Quaternion& q_WB, const Vector3& L_W);
+Quaternion advance(FreeTopStep<double>& step, const Quaternion& q_WB, const Vector3& L_W);
 
 /// step.L in body axes.
-Vector3 angular_momentum_B(const FreeTopStep& step);
+Vector3 angular_momentum_B(const FreeTopStep<double>& step);
+/// @}
 
 }  // namespace polhode::free_top

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "lanes/lanes.h"
+#include "simd/wide.h"
 
-/// The order in which the formulas of free motion take a body's axes. Real is double or Lanes.
+/// The order in which the formulas of free motion take a body's axes. Real is double or Wide.
 namespace polhode::free_top {
 
 template <class Real>

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "free_top/jacobi_functions.h"
+#include "math/jacobi_functions.h"
+#include "math/rotation.h"
 
 namespace polhode::free_top {
 
@@ -12,55 +13,57 @@ namespace {
 // The largest way of L over the unit sphere of the body in h.
 double longest_way(const Motion<double>& motion) {
   const double B = std::sqrt(ratio(motion.n, motion.d32));
-  return std::hypot(motion.d32 * B * motion.C, motion.d31 * motion.A * motion.C, motion.d21 * motion.A * B);
+  return Vector3(motion.d32 * B * motion.C, motion.d31 * motion.A * motion.C, motion.d21 * motion.A * B)
+      .norm();
 }
 
-int substeps_of(const Motion<double>& motion) {
+int substeps_for(const Motion<double>& motion) {
   return static_cast<int>(
       std::ceil(std::max(longest_way(motion), std::sqrt(motion.nu_h2)) / kLongestSubstep));
 }
 
 // After a full period L is back in the body, which has turned about it by this angle (mod 2 pi) beyond
 // 2T h/|L|.
-double period_angle(FreeTopStep step, const Motion<double>& period, double parity, double length) {
-  const int substeps = substeps_of(period);
+double period_angle(FreeTopStep<double> step, const Motion<double>& period, double parity, double length) {
+  const int substeps = substeps_for(period);
   const Motion<double> part = period.over(1.0 / substeps);
   step.substep = make_substep(part, parity, length, part.energy_angle);
   const Vector3 L_B = angular_momentum_B(step);
   Quaternion rho_B = Quaternion::Identity();
   for (int i = 0; i < substeps; ++i) rho_B = rho_B * take_substep(step);
-  return 2.0 * std::atan2(rho_B.vec().dot(L_B) / length, rho_B.w());
+  return formulas::logarithm(Quaternion(rho_B.normalized())).dot(L_B) / length;
 }
 
 }  // namespace
 
-void set_turn_about_L(FreeTopStep& step, double angle, double length) {
-  step.cos_about_L = std::cos(0.5 * angle);
-  step.sin_about_L_per_length = std::sin(0.5 * angle) / length;
+void set_turn_about_L(FreeTopStep<double>& step, double angle, double length) {
+  const auto [sine, cosine] = formulas::sine_cosine(0.5 * angle);
+  step.cos_about_L = cosine;
+  step.sin_about_L_per_length = sine / length;
 }
 
 // The turn by 2T h/|L| about L is split off, which leaves of the body's turn what L moves in the body; whole
 // periods of that only add to the turn about L; the rest is taken in substeps.
-void set_long_step(FreeTopStep& step, const Motion<double>& motion, double parity, double length) {
+void set_long_step(FreeTopStep<double>& step, const Motion<double>& motion, double parity, double length) {
   double angle_about_L = motion.energy_angle;
   Motion<double> rest = motion;
   const double nu_h = std::sqrt(motion.nu_h2);
-  const double period = 4.0 * complete_elliptic_integral(motion.m1);
+  const double period = 4.0 * formulas::complete_elliptic_integral(motion.m1);
   if (nu_h > period) {
     const double periods = std::floor(nu_h / period);
     angle_about_L += periods * period_angle(step, motion.over(period / nu_h), parity, length);
     rest = motion.over((nu_h - periods * period) / nu_h);
   }
-  const int substeps = std::max(1, substeps_of(rest));
+  const int substeps = std::max(1, substeps_for(rest));
   const Motion<double> part = rest.over(1.0 / substeps);
   step.substep = make_substep(part, parity, length, part.energy_angle);
-  step.set_substeps(substeps);
+  set_substeps(step, substeps);
   set_turn_about_L(step, angle_about_L, length);
 }
 
-Quaternion take_substep(FreeTopStep& step) {
+Quaternion take_substep(FreeTopStep<double>& step) {
   const Triple<double> next = moved(step.substep, step.L);
-  const Quaternion rho_B = turn_of(step.substep, step.axes(), step.L, next);
+  const Quaternion rho_B = turn_of(step.substep, axes_of(step), step.L, next);
   step.L = next;
   return rho_B;
 }

@@ -4,7 +4,7 @@
 
 #include "free_top/labels.h"
 
-/// A step of one free motion. Real is double or Lanes.
+/// A step of one free motion. Real is double or Wide.
 ///
 /// Everything is written in quantities without units: u = L/|L|, the angles a_i = |L| h / I_i and their
 /// differences, from which all else follows by sums of terms of one sign, so that nothing cancels:

@@ -5,7 +5,7 @@
 
 #include "free_top/turn_constants.h"
 
-/// One application of the closed form. Real is double or Lanes.
+/// One application of the closed form. Real is double or Wide.
 ///
 /// "Advance by h" along L = (A cn, +-B sn, +-C dn)(nu t + phase | m) is the addition theorem of Jacobi's
 /// functions (DLMF 22.8): a rational map with constants sn, cn, dn of nu h. All is in the order of the
@@ -32,7 +32,7 @@ template <class Real>
 POLHODE_INLINE Substep<Real> make_substep(const Motion<Real>& motion, const Real& parity, const Real& length,
                                           const Real& split_off_about_L) {
   const SnSeries<Real> series(motion.m);
-  const JacobiFunctions<Real> half = jacobi_functions(series, Real(0.25 * motion.nu_h2), motion.m);
+  const JacobiFunctions<Real> half = formulas::jacobi_functions(series, Real(0.25 * motion.nu_h2), motion.m);
   const Real psi = (motion.energy_angle - split_off_about_L) - motion.n * mean_of_dn_term(motion, series);
 
   Substep<Real> step;

@@ -4,16 +4,18 @@
 #include <cmath>
 #include <cstddef>
 
-#include "free_top/jacobi_functions.h"
 #include "free_top/motion.h"
-#include "free_top/sine_cosine.h"
+#include "math/jacobi_functions.h"
+#include "math/sine_cosine.h"
 
 /// The turn of the body in a substep is rho = (e0, e) with e0 e_i = mu_i (L_i + L'_i), the form of the
-/// discrete Moser-Veselov equations, in which three constants mu_i make it exact. Real is double or Lanes.
+/// discrete Moser-Veselov equations, in which three constants mu_i make it exact. Real is double or Wide.
 ///
 /// Sources: J. Moser, A. P. Veselov, Commun. Math. Phys. 139 (1991) 217; R. van Zon, J. Schofield, J. Comput.
 /// Phys. 225 (2007) 145; E. Celledoni, F. Fasso, N. Safstrom, A. Zanna, SIAM J. Sci. Comput. 30 (2008) 2084.
 namespace polhode::free_top {
+
+using formulas::JacobiFunctions, formulas::SnSeries;
 
 /// The turn about L from -h/2 to h/2, when L_2 = 0 in the middle: psi = integral of (a3 u3 + 2T h/|L|)/(1 +
 /// u3) d(t/h) with u3 = C dn(nu t), which is 2T h/|L| - n J, J = integral of u3/(1 + u3). The integrand is
@@ -48,7 +50,7 @@ template <class Real>
 POLHODE_INLINE Triple<Real> turn_constants(const Motion<Real>& motion, const JacobiFunctions<Real>& half,
                                            const Real& psi) {
   using std::abs;
-  const auto [s, c] = sine_cosine(Real(0.5 * psi));
+  const auto [s, c] = formulas::sine_cosine_series<11>(Real(0.5 * psi));
   const Real s0_per_nu_h = 0.5 * half.sn_per_argument;
   const Real u3 = motion.C * half.dn;
   const Real a = motion.A * half.cn;

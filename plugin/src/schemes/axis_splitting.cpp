@@ -7,12 +7,12 @@
 // Source: R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043; S. Reich, Physica D 76 (1994) 375; J. Touma and
 // J. Wisdom, Astron. J. 107 (1994) 1189; E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration
 // (2006), section VII.5.
-// Order: 2. Conserves: L_W exactly; energy boundedly; det R exactly.
+// Order: 2 in free motion, 1 under torques. Conserves: L_W exactly; energy boundedly; det R exactly.
 // Fails when: |omega| dt is not small. Energy swings by (|omega| dt)^2/100 or less with moments of 1 to 3, by
 // up to fifteen times that with moments 100 apart; past some 2 rad a step it wanders between all that |L|
 // allows. The axes are not on a par: not even a ball turns about a fixed axis within a step.
-#include "schemes/kick_drift.h"
-#include "schemes/scheme_definition.h"
+#include "scheme_base/kick_and_turn.h"
+#include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {
 

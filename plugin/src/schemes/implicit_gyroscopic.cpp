@@ -7,7 +7,7 @@
 //   delta_omega_{t+1} = q_t delta_omega_b                                           (eq. 10)
 //   q_{t+1} by eq. 3
 //
-// The torque's part, dt I_t^-1 tau_t, reaches the scheme in delta_omega_W with whatever else the solver did.
+// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step.
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 4; the same Newton step as
 // btRigidBody::computeGyroscopicImpulseImplicit_Body, after E. Catto, "Numerical Methods", GDC 2015.
@@ -15,31 +15,58 @@
 // Fails when: |omega| dt is not small: a tumble dies within seconds. It does not blow up, but from some 1.4
 // rad a step on the one Newton step may miss by far and energy leap up, a hundred-thousandfold if moments
 // differ much.
-#include "lanes/instruction_sets.h"
-#include "schemes/scheme_definition.h"
+#include "scheme_base/scheme_definition.h"
+#include "simd/instruction_sets.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step(const LaneInput& input, LaneState& state) noexcept {
-  const Vector3L omega_W =
-      state.omega_W + input.delta_omega_W +
-      formulas::implicit_gyroscopic_change_W(state.R_WB, input.inertia_B, state.omega_W, input.dt);
-  set_orientation(state, formulas::turn_by_euler(state.q_WB, omega_W, input.turn_dt));
+using namespace formulas;
+
+template <class Real>
+void turn(const Vector<Real>& omega_W, const Real& dt, StateOf<Real>& state) {
+  // (3)  q_{t+1} = q*/|q*|,  q* = q_t + dt/2 [0, omega] q_t
+  set_orientation(state, turn_by_euler(state.q_WB, omega_W, dt));
+}
+
+template <class Real>
+void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
+  const Real& dt = input.dt;
+  const Matrix<Real> I_b = input.inertia_B.asDiagonal();
+  // (8)  omega_b^0 = q^-1 omega_t
+  const Vector<Real> omega_b = state.R_WB.transpose() * state.omega_W;
+  // (7)  f = dt omega_b x I_b omega_b
+  const Vector<Real> f = dt * omega_cross_I_omega(input.inertia_B, omega_b);
+  // (9)  J = I_b + dt (Omega(omega_b) I_b - Omega(I_b omega_b))
+  const Matrix<Real> J = I_b + dt * (skew(omega_b) * I_b - skew<Real>(I_b * omega_b));
+  // (8)  J delta_omega_b = -f
+  const Vector<Real> delta_omega_b = -solve(J, f);
+  // (10), (6)  omega_{t+1} = omega_t + delta_omega + q delta_omega_b
+  const Vector<Real> omega_W = state.omega_W + input.delta_omega_W + state.R_WB * delta_omega_b;
+  turn<Real>(omega_W, dt, state);
   set_omega(state, input.inertia_B, omega_W);
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step_eight(const WideStepInput& input, WideState& state) noexcept {
+  step<Wide>(input, state);
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void turn_eight(const Vector3Wide& omega_W, const Wide& dt, WideState& state) noexcept {
+  turn<Wide>(omega_W, dt, state);
 }
 
 }  // namespace
 
 const RotationScheme& implicit_gyroscopic() {
-  static const LaneSchemeDefinition scheme(
+  static const WideSchemeDefinition scheme(
       {"implicit_gyroscopic", "gyroscopic torque by one Newton step of implicit Euler, which loses energy",
        "handout eq. 6-10, problem 4",
        "|omega| dt is not small: a tumble dies within seconds; past 1.4 energy may leap up", 1,
-       Conservation::lost, Conservation::lost, Conservation::exact},
-      step);
+       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end},
+      step_eight, turn_eight);
   return scheme;
 }
 

@@ -12,22 +12,22 @@
 //
 // Source: M. A. Austin, P. S. Krishnaprasad, L.-S. Wang, J. Comput. Phys. 107 (1993) 105; D. Lewis and
 // J. C. Simo, J. Nonlinear Sci. 4 (1994) 253.
-// Order: 2. Conserves: energy, L_W, det R exactly.
+// Order: 2 in free motion, 1 under torques. Conserves: energy, L_W, det R exactly.
 // Fails when: |omega| dt is not small: a plain spin turns by 2 atan(|omega| dt/2), never half a turn. Every
 // step has a solution, but past 2 rad it may not be the only one, and Newton's method may end on another than
 // that of short steps, or on none: the result is then not finite. Bodies that cannot exist, one moment far
 // above the sum of the others, get there sooner: of random ones with moments up to 1e4 apart 1 in 1000 finds
 // none at 0.1 rad.
-#include "schemes/cayley_turn.h"
-#include "schemes/kick_drift.h"
-#include "schemes/scheme_definition.h"
+#include "math/cayley_turn.h"
+#include "scheme_base/kick_and_turn.h"
+#include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
 Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
-  return cayley_turn_B({inertia_B, 0.5 * dt * L_B, 0.0}, inertia_B);
+  return formulas::cayley_turn_B({inertia_B, 0.5 * dt * L_B, 0.0}, inertia_B);
 }
 
 void step(const StepInput& input, RotationState& state) noexcept {

@@ -7,19 +7,19 @@
 //
 // Source: J. Moser and A. P. Veselov, Commun. Math. Phys. 139 (1991) 217; in quaternions E. Hairer and
 // G. Vilmart, J. Phys. A 39 (2006) 13225.
-// Order: 2. Conserves: energy, L_W, det R exactly.
+// Order: 2 in free motion, 1 under torques. Conserves: energy, L_W, det R exactly.
 // Fails when: |omega| dt is not small: a plain spin turns by asin(|omega| dt). Past 1 most
 // steps have no solution, a ball's none; past 1.3 none is found. The result is then not finite.
-#include "schemes/cayley_turn.h"
-#include "schemes/kick_drift.h"
-#include "schemes/scheme_definition.h"
+#include "math/cayley_turn.h"
+#include "scheme_base/kick_and_turn.h"
+#include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {
 
 namespace {
 
 Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
-  return cayley_turn_B({inertia_B, 0.5 * dt * L_B, 1.0}, inertia_B);
+  return formulas::cayley_turn_B({inertia_B, 0.5 * dt * L_B, 1.0}, inertia_B);
 }
 
 void step(const StepInput& input, RotationState& state) noexcept {

@@ -8,14 +8,14 @@
 // The energy of the moments I' is a combination of T and |L|^2, and so the scheme keeps T too.
 //
 // Source: E. Hairer and G. Vilmart, J. Phys. A 39 (2006) 13225.
-// Order: 4 in free motion, 2 under torques. Conserves: energy, L_W, det R exactly.
+// Order: 4 in free motion, 1 under torques. Conserves: energy, L_W, det R exactly.
 // Fails when: |omega| dt > 1.4: a plain spin turns by asin(x - x^3/6), x = |omega| dt, which falls again from
 // there on. Past sqrt(6) a ball's I' is negative; from 2.2 on other bodies' steps have no solution that is
 // found, and the result is not finite. Bodies that cannot exist, one moment far above the sum of the others,
 // get there sooner: of random ones with moments up to 1e4 apart 1 in 5 at 0.5 rad.
-#include "schemes/cayley_turn.h"
-#include "schemes/kick_drift.h"
-#include "schemes/scheme_definition.h"
+#include "math/cayley_turn.h"
+#include "scheme_base/kick_and_turn.h"
+#include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {
 
@@ -34,7 +34,7 @@ Vector3 preprocessed(const Vector3& inertia_B, const Vector3& L_B, double dt) {
 }
 
 Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
-  return cayley_turn_B({preprocessed(inertia_B, L_B, dt), 0.5 * dt * L_B, 1.0}, inertia_B);
+  return formulas::cayley_turn_B({preprocessed(inertia_B, L_B, dt), 0.5 * dt * L_B, 1.0}, inertia_B);
 }
 
 void step(const StepInput& input, RotationState& state) noexcept {

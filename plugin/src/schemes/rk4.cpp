@@ -9,12 +9,12 @@
 //
 // Source: W. Kutta, Z. Math. Phys. 46 (1901) 435; E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
 // Differential Equations I (1993), section II.1, table 1.2.
-// Order: 4 in free motion, 2 under torques. Conserves: L_W exactly; energy not; det R exactly.
+// Order: 4 in free motion, 1 under torques. Conserves: L_W exactly; energy not; det R exactly.
 // Fails when: it runs long. Energy falls by up to (|omega| dt)^6/200 a step with moments of 1 to 3, as if by
 // friction inside the body, until it spins about its axis of largest moment. Slender bodies, whose velocity a
 // small turn changes much, sooner: with moments 100 apart one step at |omega| dt = 0.5 may be off by 0.02.
-#include "schemes/kick_drift.h"
-#include "schemes/scheme_definition.h"
+#include "scheme_base/kick_and_turn.h"
+#include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {
 

@@ -4,38 +4,56 @@
 //   omega_{t+1} = omega_t + dt I_t^-1 (tau_t - omega_t x I_t omega_t)   (eq. 4, 5)
 //   q_{t+1} by eq. 3
 //
-// The torque's part, dt I_t^-1 tau_t, reaches the scheme in delta_omega_W with whatever else the solver did.
+// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step.
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 3.
 // Order: 1. Conserves: neither energy nor L; det R exactly.
 // Fails when: it runs long enough. The torque is quadratic in omega, so the energy it gains feeds its own
 // growth.
-#include "lanes/instruction_sets.h"
-#include "schemes/scheme_definition.h"
+#include "scheme_base/scheme_definition.h"
+#include "simd/instruction_sets.h"
 
 namespace polhode::schemes {
 
 namespace {
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step(const LaneInput& input, LaneState& state) noexcept {
-  // L_W = I_t omega_t; the same product, whose value at the start of the step the state carries.
-  const Vector3L gyroscopic_torque_W = state.omega_W.cross(state.L_W);
-  const Vector3L gyroscopic_change_W =
-      -input.dt * formulas::times_inverse_inertia_W(state.R_WB, input.inertia_B, gyroscopic_torque_W);
-  const Vector3L omega_W = state.omega_W + input.delta_omega_W + gyroscopic_change_W;
-  set_orientation(state, formulas::turn_by_euler(state.q_WB, omega_W, input.turn_dt));
+using namespace formulas;
+
+template <class Real>
+void turn(const Vector<Real>& omega_W, const Real& dt, StateOf<Real>& state) {
+  // (3)  q_{t+1} = q*/|q*|,  q* = q_t + dt/2 [0, omega] q_t
+  set_orientation(state, turn_by_euler(state.q_WB, omega_W, dt));
+}
+
+template <class Real>
+void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
+  // (4)  tau_g = omega_t x I_t omega_t.  L_W is I_t omega_t.
+  const Vector<Real> tau_g_W = state.omega_W.cross(state.L_W);
+  // (5)  omega_{t+1} = omega_t + dt I_t^-1 (tau_t - tau_g)
+  const Vector<Real> omega_W = state.omega_W + input.delta_omega_W -
+                               input.dt * times_inverse_inertia_W(state.R_WB, input.inertia_B, tau_g_W);
+  turn<Real>(omega_W, input.dt, state);
   set_omega(state, input.inertia_B, omega_W);
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void step_eight(const WideStepInput& input, WideState& state) noexcept {
+  step<Wide>(input, state);
+}
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void turn_eight(const Vector3Wide& omega_W, const Wide& dt, WideState& state) noexcept {
+  turn<Wide>(omega_W, dt, state);
 }
 
 }  // namespace
 
 const RotationScheme& semi_implicit_gyroscopic() {
-  static const LaneSchemeDefinition scheme(
+  static const WideSchemeDefinition scheme(
       {"semi_implicit_gyroscopic", "gyroscopic torque by semi-implicit Euler, which gains energy",
        "handout eq. 4-5, problem 3", "it runs long: energy grows without bound until it overflows", 1,
-       Conservation::lost, Conservation::lost, Conservation::exact},
-      step);
+       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end},
+      step_eight, turn_eight);
   return scheme;
 }
 

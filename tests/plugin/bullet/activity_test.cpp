@@ -95,7 +95,6 @@ TYPED_TEST(Activity, OfABodyWokenByATorqueIsThatOfABodyAtRestThere) {
     const Matrix3 asleep = basis_of(woken.body);
     Stage<TypeParam> rested(scheme, btVector3(0, 0, 0));
     rested.body.setCenterOfMassTransform(woken.body.getWorldTransform());
-    rested.scene.take_over_changes();
     woken.body.activate(true);
     double worst = 0;
     for (int i = 0; i < 30; ++i) {
@@ -133,7 +132,6 @@ TYPED_TEST(Activity, OfStaticAndKinematicBodiesIsTheApplications) {
   btRigidBody& kinematic = scene.add_kinematic(pose, 1, btVector3(1, 2, 3));
   btRigidBody& massless =
       scene.add_kinematic(btTransform(pose.getBasis(), btVector3(0, 0, 40)), 0, btVector3(0, 0, 0));
-  scene.take_over_changes();
   scene.step(kDt, 3);
   for (const btRigidBody* body : {&fixed, &kinematic, &massless})
     EXPECT_FALSE(scene.rotation().manages(*body));

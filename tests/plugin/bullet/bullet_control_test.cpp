@@ -1,9 +1,10 @@
-// The scheme `bullet` follows a plain Bullet world, so that what other schemes do differently is theirs.
+// The scheme `bullet` follows a plain Bullet world in free flight, so that what other schemes do differently
+// is theirs. With contacts and joints: bullet_control_constrained_test.cpp.
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "bullet/conversions.h"
+#include "polhode/bullet/conversions.h"
 #include "polhode/bullet/rotation_world.h"
 #include "support/free_motion_reference.h"
 #include "support/precision.h"
@@ -85,25 +86,6 @@ TEST_F(BulletControl, FollowsTorqueImpulseAndDamping) {
   }
   // measured 68 in single, 52 in double precision
   EXPECT_LE(worst, 200.0);
-}
-
-// In a step with contacts the two differ by more than rounding: Bullet's flags hand the gyroscopic change to
-// the solver before it solves, the library adds it after.
-TEST_F(BulletControl, FollowsAFallingBoxUntilItTouchesTheFloorAndCloselyThrough) {
-  const auto drop = [](auto& scene) {
-    scene.world().setGravity(btVector3(0, 0, -10));
-    scene.add_floor();
-    const btTransform pose(btQuaternion(1, 2, 3, 4).normalized(), btVector3(0, 0, 2));
-    btRigidBody& box = scene.add_box(btVector3(btScalar(0.2), btScalar(0.3), btScalar(0.5)), 1, pose);
-    box.setAngularVelocity(btVector3(3, 2, 4));
-  };
-  drop(ours_);
-  drop(bullets_);
-  // measured 34 ulp in single, 25 in double precision
-  EXPECT_LE(worst_difference(btScalar(1.0 / 240.0), 130), 80.0);
-  ASSERT_EQ(ours_.world().getDispatcher()->getManifoldByIndexInternal(0)->getNumContacts(), 0);
-  // measured 0.005
-  EXPECT_LE(worst_difference(btScalar(1.0 / 240.0), 5) * kUlp, 0.01);
 }
 
 }  // namespace

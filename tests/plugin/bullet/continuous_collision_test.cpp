@@ -40,6 +40,19 @@ double covered_part(const btRigidBody& bullet) {
   return bullet.getWorldTransform().getOrigin().x() / (kSpeed * kDt);
 }
 
+// Turns a free body through part of the step only: schemes that turn by one velocity find that of the whole
+// step.
+void turn_part(const RotationScheme& scheme, const Vector3& inertia_B, double part, RotationState& state) {
+  const TurnVelocity kind = scheme.description().turn_velocity;
+  if (kind == TurnVelocity::mean) {
+    scheme.step({inertia_B, Vector3::Zero(), part * kDt}, state);
+    return;
+  }
+  RotationState end = state;
+  scheme.step({inertia_B, Vector3::Zero(), kDt}, end);
+  scheme.turn(kind == TurnVelocity::start ? state.omega_W : end.omega_W, part * kDt, state);
+}
+
 template <class Way>
 class ContinuousCollision : public ::testing::Test {};
 TYPED_TEST_SUITE(ContinuousCollision, BothWays, WayName);
@@ -50,18 +63,59 @@ TYPED_TEST(ContinuousCollision, TurnsOnlyThroughThePartOfTheStepThatWasFlown) {
     TypeParam scene;
     btRigidBody& bullet = add_bullet(scene);
     scene.rotation().set_scheme(bullet, scheme);
-    scene.take_over_changes();
     RotationState alone = scene.rotation().rotation_of(bullet).state;
     fire(scene, bullet);
     ASSERT_EQ(bullet.getHitFraction(), 0);
     const double part = covered_part(bullet);
     EXPECT_NEAR(part, 0.47, 0.01);
-    scheme->step(
-        {to_double(bullet.getInvInertiaDiagLocal()).cwiseInverse(), Vector3::Zero(), kDt, part * kDt}, alone);
+    turn_part(*scheme, to_double(bullet.getInvInertiaDiagLocal()).cwiseInverse(), part, alone);
     const RotationState state = scene.rotation().rotation_of(bullet).state;
     EXPECT_TRUE(shows(bullet, state));
     // measured 0
     EXPECT_LT(distance(state.R_WB, alone.R_WB), 1e-15);
+  }
+}
+
+// A projectile that the application keeps from turning.
+TYPED_TEST(ContinuousCollision, StopsABodyWithoutMoments) {
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    SCOPED_TRACE(scheme->description().name);
+    TypeParam scene;
+    btRigidBody& bullet = add_bullet(scene);
+    bullet.setAngularVelocity(btVector3(0, 0, 0));
+    bullet.setMassProps(1, btVector3(0, 0, 0));
+    scene.rotation().set_scheme(bullet, scheme);
+    fire(scene, bullet);
+    ASSERT_EQ(bullet.getHitFraction(), 0);
+    EXPECT_FALSE(scene.rotation().rotation_of(bullet).diverged);
+    EXPECT_EQ(scene.rotation().incidents(), 0u);
+  }
+}
+
+// An engine's way to say that a body needs none: the threshold is never reached.
+TYPED_TEST(ContinuousCollision, ThatIsNeverDueChangesNoBit) {
+  TypeParam with_scene;
+  TypeParam without_scene;
+  for (TypeParam* scene : {&with_scene, &without_scene}) {
+    scene->world().setGravity(btVector3(0, 0, -10));
+    scene->add_floor();
+    for (int i = 0; i < 20; ++i) {
+      btRigidBody& box =
+          scene->add_box(vector(0.2, 0.3, 0.4), 1,
+                         btTransform(btQuaternion::getIdentity(), vector(0.3 * (i % 4), 0, 1 + i)));
+      box.setAngularVelocity(vector(3, i - 10, 5));
+      if (scene == &with_scene) {
+        box.setCcdMotionThreshold(10000);
+        box.setCcdSweptSphereRadius(btScalar(0.1));
+      }
+    }
+  }
+  for (int step = 0; step < 240; ++step) {
+    with_scene.step(btScalar(kDt));
+    without_scene.step(btScalar(kDt));
+    for (std::size_t i = 0; i < with_scene.bodies().size(); ++i) {
+      ASSERT_TRUE(same_motion(*with_scene.bodies()[i], *without_scene.bodies()[i])) << i << ", step " << step;
+    }
   }
 }
 
@@ -71,7 +125,6 @@ TYPED_TEST(ContinuousCollision, OfTheControlIsBulletsOwn) {
   btRigidBody& plain = add_bullet(plain_scene);
   btRigidBody& control = add_bullet(scene);
   scene.rotation().set_scheme(control, "bullet");
-  scene.take_over_changes();
   fire(plain_scene, plain);
   fire(scene, control);
   ASSERT_EQ(plain.getHitFraction(), 0);

@@ -47,7 +47,6 @@ class ExactMotion : public ::testing::Test {
   Flight launch(const btVector3& inertia_B, const btVector3& omega_W,
                 const btQuaternion& q_WB = btQuaternion::getIdentity()) {
     btRigidBody& body = scene_.add_free(inertia_B, omega_W, q_WB);
-    scene_.take_over_changes();
     scene_.rotation().set_scheme(body, "exact");
     return Flight(scene_.rotation(), body);
   }
@@ -60,7 +59,6 @@ TYPED_TEST(ExactMotion, IsExactForTenSecondsInEitherPrecision) {
   std::vector<Flight> flights;
   flights.push_back(this->launch(btVector3(1, 2, 3), btVector3(3, 2, 4)));
   flights.push_back(this->launch(vector(0.4, 0.5, 0.8), vector(100, 120, 124.9639948)));
-  this->scene_.take_over_changes();
   this->scene_.step(kDt, kTenSeconds);
   RotationControl& rotation = this->scene_.rotation();
   for (const Flight& flight : flights) {
@@ -85,7 +83,6 @@ TYPED_TEST(ExactMotion, IsExactForTwoHundredRandomBodiesAtOnce) {
                      btQuaternion(static_cast<btScalar>(q_WB.x()), static_cast<btScalar>(q_WB.y()),
                                   static_cast<btScalar>(q_WB.z()), static_cast<btScalar>(q_WB.w()))));
   }
-  this->scene_.take_over_changes();
   this->scene_.step(kDt, kTenSeconds);
   std::vector<double> errors;
   for (const Flight& flight : flights) {
@@ -99,7 +96,6 @@ TYPED_TEST(ExactMotion, IsExactForTwoHundredRandomBodiesAtOnce) {
 
 TYPED_TEST(ExactMotion, KeepsEnergyAndMomentumForAMillionSteps) {
   const Flight flight = this->launch(btVector3(1, 2, 3), btVector3(3, 2, 4));
-  this->scene_.take_over_changes();
   this->scene_.step(kDt, 1000000);
   const RotationState state = this->scene_.rotation().rotation_of(*flight.body).state;
   // measured 4.8e-12 and 1.1e-11 rad
@@ -110,7 +106,6 @@ TYPED_TEST(ExactMotion, KeepsEnergyAndMomentumForAMillionSteps) {
 
 TYPED_TEST(ExactMotion, IsWhatAWorldsBodiesGetUnlessToldOtherwise) {
   btRigidBody& body = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
-  this->scene_.take_over_changes();
   EXPECT_EQ(this->scene_.rotation().rotation_of(body).scheme, "exact");
 }
 

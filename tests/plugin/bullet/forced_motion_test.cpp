@@ -1,5 +1,5 @@
-// Torques that an application applies through Bullet, at each step, reach the schemes of order 2 and better
-// with order 2: whether they are constant in the world or in the body's axes.
+// Torques that an application applies through Bullet at each step reach every scheme as a kick at the start of
+// the step: with order 1, whether they are constant in the world or in the body's axes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -38,7 +38,6 @@ double error_after_one_second(const SchemePointer& scheme, Torque torque, int st
   Way scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 4), vector(0.5, 1, -0.5));
   scene.rotation().set_scheme(body, scheme);
-  scene.take_over_changes();
   const RotationState start = scene.rotation().rotation_of(body).state;
   const RotationState reference =
       integrate_finely(Vector3(1, 2, 4), start, 1.0, 10000, kTorque, torque != Torque::constant_in_world);
@@ -50,7 +49,7 @@ double error_after_one_second(const SchemePointer& scheme, Torque torque, int st
   return angle_between(end.q_WB, reference.q_WB) + (end.L_W - reference.L_W).norm();
 }
 
-TYPED_TEST(ForcedMotion, IsOfOrderTwoWhereTheTorqueIsAllThatActs) {
+TYPED_TEST(ForcedMotion, IsOfOrderOneInTheTorque) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     if (scheme->description().order.value_or(2) < 2) continue;
     for (const Torque torque :
@@ -58,8 +57,8 @@ TYPED_TEST(ForcedMotion, IsOfOrderTwoWhereTheTorqueIsAllThatActs) {
       const double coarse = error_after_one_second<TypeParam>(scheme, torque, 64);
       const double fine = error_after_one_second<TypeParam>(scheme, torque, 128);
       SCOPED_TRACE(std::string(scheme->description().name) + " " + std::to_string(static_cast<int>(torque)));
-      EXPECT_LE(fine, 1e-3);                             // measured 1.1e-5 to 2.8e-4
-      EXPECT_NEAR(std::log2(coarse / fine), 2.0, 0.02);  // measured 1.994 to 2.000
+      EXPECT_LE(fine, 0.04);                             // measured 0.0043 in the world, 0.0204 in the body
+      EXPECT_NEAR(std::log2(coarse / fine), 1.0, 0.01);  // measured 0.9997 to 1.0035
     }
   }
 }
@@ -68,7 +67,6 @@ TYPED_TEST(ForcedMotion, IsOfOrderTwoWhereTheTorqueIsAllThatActs) {
 TYPED_TEST(ForcedMotion, OfASingleStepBringsTheTorquesImpulse) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 4), vector(0.5, 1, -0.5));
-  scene.take_over_changes();
   scene.step(btScalar(1.0 / 64.0), 5);
   const Vector3 before_W = scene.rotation().rotation_of(body).state.L_W;
   body.applyTorque(to_bullet(kTorque));
@@ -82,7 +80,6 @@ TYPED_TEST(ForcedMotion, OfASingleStepBringsTheTorquesImpulse) {
 TYPED_TEST(ForcedMotion, OfATorqueTooWeakForBulletsPrecisionAddsUp) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 4), vector(0, 0, 100));
-  scene.take_over_changes();
   const Vector3 before_W = scene.rotation().rotation_of(body).state.L_W;
   for (int i = 0; i < 6400; ++i) {
     body.applyTorque(vector(0, 0, 6.4e-6));

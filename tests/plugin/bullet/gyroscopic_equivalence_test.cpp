@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "bullet/conversions.h"
+#include "polhode/bullet/conversions.h"
 #include "polhode/rotation_math.h"
 #include "polhode/scheme_registry.h"
 #include "support/precision.h"
@@ -36,7 +36,7 @@ struct RandomRigidBody {
 
   Vector3 change_by(const char* scheme) const {
     RotationState end = state();
-    find_scheme(scheme)->step({inertia_B(), Vector3::Zero(), kDt, kDt}, end);
+    find_scheme(scheme)->step({inertia_B(), Vector3::Zero(), kDt}, end);
     return end.omega_W - state().omega_W;
   }
 

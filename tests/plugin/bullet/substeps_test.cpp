@@ -19,7 +19,6 @@ struct Stage {
         &scene.add(1, btVector3(1, 2, 3), btTransform(kTilted), scene.box(btVector3(1, 1, 1)), &motion_state);
     body_->setAngularVelocity(omega_W);
     scene.rotation().set_scheme(*body_, scheme);
-    scene.take_over_changes();
   }
 
   btRigidBody& body() { return *body_; }
@@ -63,7 +62,6 @@ TYPED_TEST(Substeps, AllFeelATorqueAppliedOnce) {
     TypeParam scene;
     btRigidBody& body = scene.add_free(btVector3(2, 2, 2), btVector3(0, 0, 0));
     scene.rotation().set_scheme(body, scheme);
-    scene.take_over_changes();
     body.applyTorque(btVector3(0, 0, 64));
     scene.world().stepSimulation(4 * kDt, 4, kDt);
     // 4 steps of 64 N m / 64 Hz / 2 kg m^2
@@ -71,14 +69,16 @@ TYPED_TEST(Substeps, AllFeelATorqueAppliedOnce) {
   }
 }
 
-// At a slow spin, near pi/4 a step and far past it.
+// At a slow tumble; and at a spin about a principal axis, which no scheme speeds up, near pi/4 a step and far past
+// it.
 TYPED_TEST(Substeps, LeaveMotionStatesBetweenTheLastTwoPoses) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     // A basis that is not a rotation is shown as it is, see swelling_test.cpp.
     if (scheme->description().rotation == Conservation::lost) continue;
     SCOPED_TRACE(scheme->description().name);
     for (const double speed : {2.0, 45.0, 55.0, 120.0}) {
-      Stage<TypeParam> stage(scheme, vector(0, 0, speed));
+      const btVector3 axis(0, 0, 1);
+      Stage<TypeParam> stage(scheme, btScalar(speed) * (speed < 10 ? axis : quatRotate(kTilted, axis)));
       double worst = 0;
       for (int i = 0; i < 10; ++i) {
         const Matrix3 before = basis_of(stage.body());

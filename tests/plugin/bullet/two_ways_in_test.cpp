@@ -62,7 +62,6 @@ TYPED_TEST(BothWaysIn, GiveTheSameBitsOverTenThousandStepsOfAPile) {
   RotationPlugin plugin(attached.world());
   add_pile(attached);
   choose_schemes(plugin.rotation(), attached.bodies());
-  plugin.take_over_changes();
 
   EXPECT_EQ(first_step_that_differs(subclassed, attached, btScalar(1.0 / 240.0), 10000), 0);
   EXPECT_EQ(plugin.rotation().incidents(), subclassed.world().rotation().incidents());
@@ -78,7 +77,6 @@ TYPED_TEST(BothWaysIn, GiveTheSameBitsInFreeFlightForEveryScheme) {
     RotationPlugin plugin(attached.world());
     plugin.rotation().set_default_scheme(scheme);
     attached.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
-    plugin.take_over_changes();
 
     // To the divergence of `matrix`, and past it.
     EXPECT_EQ(first_step_that_differs(subclassed, attached, btScalar(1.0 / 60.0), 2000), 0)
@@ -101,48 +99,8 @@ TYPED_TEST(BothWaysIn, TakenAwayFromEveryBodyLeaveBulletsBits) {
   Scene<TypeParam> attached;
   RotationPlugin plugin(attached.world());
   add_pile(attached);
-  plugin.take_over_changes();
   for (const auto& body : attached.bodies()) plugin.rotation().release(*body);
   EXPECT_EQ(first_step_that_differs(attached, plain_again, btScalar(1.0 / 240.0), 2000), 0);
-}
-
-// An action that runs before the plugin sees the body as Bullet turned it, in a RotationWorld as the scheme
-// did; what it does to the velocity counts alike.
-class Nudge final : public btActionInterface {
- public:
-  explicit Nudge(btRigidBody& body) : body_(body) {}
-  void updateAction(btCollisionWorld* /*world*/, btScalar /*dt*/) override {
-    body_.setAngularVelocity(body_.getAngularVelocity() + btVector3(0, btScalar(0.01), 0));
-  }
-  void debugDraw(btIDebugDraw* /*drawer*/) override {}
-
- private:
-  btRigidBody& body_;
-};
-
-TEST(OtherActions, BeforeOrAfterThePluginKickAlike) {
-  Scene<RotationWorld<btDiscreteDynamicsWorld>> subclassed;
-  btRigidBody& in_world = subclassed.add_free(btVector3(2, 2, 2), btVector3(0, 1, 0));
-  Nudge nudge_in_world(in_world);
-  subclassed.world().addAction(&nudge_in_world);
-
-  Scene<> attached;
-  btRigidBody& with_plugin = attached.add_free(btVector3(2, 2, 2), btVector3(0, 1, 0));
-  Nudge nudge_before(with_plugin);
-  attached.world().addAction(&nudge_before);
-  RotationPlugin plugin(attached.world());
-
-  subclassed.step(btScalar(1.0 / 60.0), 100);
-  attached.step(btScalar(1.0 / 60.0), 100);
-  const RotationState expected = subclassed.world().rotation().rotation_of(in_world).state;
-  const RotationState actual = plugin.rotation().rotation_of(with_plugin).state;
-  // measured 9.5e-7 in single, 8.9e-16 in double precision; between the two ways 0
-  const double tolerance = by_precision(4e-6, 4e-15);
-  EXPECT_NEAR(expected.omega_W.y(), 2.0, tolerance);
-  EXPECT_NEAR(actual.omega_W.y(), 2.0, tolerance);
-  EXPECT_LE((expected.R_WB - actual.R_WB).norm(), tolerance);
-  subclassed.world().removeAction(&nudge_in_world);
-  attached.world().removeAction(&nudge_before);
 }
 
 }  // namespace

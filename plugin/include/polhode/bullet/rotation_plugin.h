@@ -2,35 +2,33 @@
 
 #include <BulletDynamics/Dynamics/btActionInterface.h>
 
+#include <memory>
+
 #include "polhode/bullet/rotation_control.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Rotates the bodies of a world that somebody else made: `RotationPlugin plugin(world);`. It is one
-/// btActionInterface in the world's list and touches nothing else: no tick callback, no user pointer, no
-/// solver, no subclass. It runs right after Bullet's own integration and replaces the turn Bullet made.
+/// Rotates the bodies of a world that somebody else made: `RotationPlugin plugin(world);`.
 ///
-/// An action cannot see the start of a step. So
-/// - a body added later is first seen at the end of its first step, which was Bullet's own;
-/// - a velocity that the application sets between two steps reaches the schemes as a kick in the step after;
-/// - a gyroscopic flag that the application sets between two steps acts in the next one, and is cleared then;
-/// - a NaN that the application puts into a body has met the solver before it is found; every managed body
-///   that it reached is then set back to its last finite state.
-/// Where that matters, call take_over_changes() before stepSimulation, after any such change; RotationWorld
-/// does so by itself. The two then give the same bits, but for what other actions of the world do: those
-/// before this one in the list see the body as Bullet turned it, in a RotationWorld as the scheme did.
+/// It attaches to two places of the world: an island manager of its own stands in for the world's, to see the
+/// start of each solve, and it is the first of the world's actions, to replace the turn that Bullet made
+/// right after its integration. The tick callbacks, the user pointers, the solver and the class of the world
+/// stay the application's, and other actions see and change finished bodies. detach() leaves the world
+/// exactly as it was found. A RotationPlugin and a RotationWorld give the same bits.
 ///
-/// Lifetime: the destructor detaches, and must run while the world and the bodies in it are alive; so declare
-/// the plugin after the world. Bullet tells nobody when a world dies: in the other order call world_is_gone()
-/// first.
-class RotationPlugin final : public btActionInterface {
+/// Lifetime: plugin and world may be destroyed in either order. After the world is gone the plugin is
+/// detached for good. Who replaces the world's island manager while the plugin is attached should detach() it
+/// first: until the plugin's own is back, Bullet rotates the bodies (attached() is false), and the plugin is
+/// not told of the world's end.
+class RotationPlugin final {
  public:
   /// Attaches to `world`.
   /// @throws std::invalid_argument for a world that cannot be hooked (btSimpleDynamicsWorld, the deformable
-  /// world), or that the library rotates already.
+  /// world, one whose island manager is of a class of its own), or that the library rotates already.
+  /// @throws std::runtime_error on a precision mismatch, see require_matching_bullet.
   explicit RotationPlugin(btDynamicsWorld& world);
-  ~RotationPlugin() override;
+  ~RotationPlugin();
   RotationPlugin(const RotationPlugin&) = delete;
   RotationPlugin& operator=(const RotationPlugin&) = delete;
 
@@ -39,29 +37,19 @@ class RotationPlugin final : public btActionInterface {
 
   /// Gives every body back to Bullet and leaves the world; choices, default scheme and handler are kept. Does
   /// nothing if not attached.
+  /// Not from within a step: the action after the plugin's would be skipped in it.
   void detach();
   /// Attaches again to the same world. Does nothing if attached.
-  /// @throws std::invalid_argument if another plugin has taken the world meanwhile.
+  /// @throws std::invalid_argument as the constructor; std::logic_error if the world is gone.
   void attach();
-  bool attached() const { return attached_; }
-
-  /// Optional, before stepSimulation: finds new bodies and takes over what the application changed since the
-  /// last step, as a RotationWorld does.
-  void take_over_changes() noexcept { rotation_.begin_step(); }
-
-  /// The world was destroyed: forget it without touching it. The plugin can only be destroyed after this.
-  void world_is_gone() noexcept;
-
-  /// @name Called by Bullet
-  /// @{
-  void updateAction(btCollisionWorld* world, btScalar dt) override;
-  void debugDraw(btIDebugDraw* /*drawer*/) override {}
-  /// @}
+  /// Whether bodies are rotated by their schemes now.
+  bool attached() const;
 
  private:
-  btDynamicsWorld* world_;
+  class Attachment;
+
   RotationControl rotation_;
-  bool attached_ = false;
+  std::unique_ptr<Attachment> attachment_;  // null while detached
 };
 
 }  // namespace POLHODE_PRECISION

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <LinearMath/btMatrix3x3.h>
+
+#include "polhode/bullet/precision.h"
+#include "polhode/rotation_state.h"
+
+/// Between Bullet's types, in its precision, and ours. From Bullet to us nothing is lost.
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+inline Vector3 to_double(const btVector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+inline Matrix3 to_double(const btMatrix3x3& m) {
+  Matrix3 result;
+  for (int row = 0; row < 3; ++row) result.row(row) = to_double(m[row]).transpose();
+  return result;
+}
+
+inline btVector3 to_bullet(const Vector3& v) {
+  return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
+}
+
+// Number by number and in place: a copy in vectors of what was stored number by number just before would wait
+// for it.
+inline void to_bullet(const Matrix3& m, btMatrix3x3& result) {
+  const auto rounded = [&m](int row, int column) { return static_cast<btScalar>(m(row, column)); };
+  result.setValue(rounded(0, 0), rounded(0, 1), rounded(0, 2), rounded(1, 0), rounded(1, 1), rounded(1, 2),
+                  rounded(2, 0), rounded(2, 1), rounded(2, 2));
+}
+
+inline btMatrix3x3 to_bullet(const Matrix3& m) {
+  btMatrix3x3 result;
+  to_bullet(m, result);
+  return result;
+}
+
+/// The rotation that a basis of Bullet's stands for.
+inline Quaternion to_quaternion(const btMatrix3x3& basis) {
+  return Quaternion(to_double(basis)).normalized();
+}
+
+/// Equal values in every component; the fourth, which Bullet pads with, does not count.
+inline bool same(const btVector3& a, const btVector3& b) {
+  return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+}
+
+inline bool same(const btMatrix3x3& a, const btMatrix3x3& b) {
+  int differences = 0;  // counted without a branch for each
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) differences += a[row][column] == b[row][column] ? 0 : 1;
+  }
+  return differences == 0;
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

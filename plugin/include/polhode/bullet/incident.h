@@ -1,0 +1,29 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <cstdint>
+#include <functional>
+
+#include "polhode/bullet/precision.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+enum class IncidentKind : std::uint8_t {
+  scheme_diverged,  ///< the scheme left the finite or went past the bounds of rotation_limits.h
+  non_finite_body,  ///< a NaN or infinity was found in the body's pose, velocity or forces and was taken out
+};
+
+struct Incident {
+  IncidentKind kind;
+  btRigidBody* body;
+  std::uint64_t body_steps;  ///< steps the body had taken with its scheme
+};
+
+/// Called at the end of a step, when its bodies are done; once for each body and kind. It may choose another
+/// scheme for the body, release it or take it out of the world. What it throws is dropped.
+using IncidentHandler = std::function<void(const Incident&)>;
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

@@ -1,0 +1,182 @@
+#include "bullet/batch/batch.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "bullet/body/external_changes.h"
+#include "polhode/bullet/conversions.h"
+#include "polhode/rotation_math.h"
+#include "simd/instruction_sets.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+namespace {
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void load_state(const Batch& batch, WideState& state) noexcept {
+  state.q_WB = batch.q_WB;
+  state.R_WB = batch.R_WB != nullptr ? *batch.R_WB : Matrix3Wide(batch.q_WB.toRotationMatrix());
+  state.omega_W = batch.omega_W;
+  state.L_W = batch.L_W;
+}
+
+}  // namespace
+
+Batch::Batch(SchemePointer scheme_of_all)
+    : scheme(std::move(scheme_of_all)),
+      wide_scheme(dynamic_cast<const WideScheme*>(scheme.get())),
+      turn_velocity(scheme->description().turn_velocity),
+      keeps_rotation(scheme->description().rotation != Conservation::lost) {
+  const BulletRows zero = {btScalar(0), btScalar(0), btScalar(0)};
+  written_omega_W = origin = linear_velocity = zero;
+  inverse_inertia_B = {btScalar(1), btScalar(1), btScalar(1)};
+  q_WB = QuaternionWide(Wide(1.0), Wide(0.0), Wide(0.0), Wide(0.0));
+  omega_W = L_W = Vector3Wide::Constant(Wide(0.0));
+  if (!keeps_rotation) R_WB = std::make_unique<Matrix3Wide>(q_WB.toRotationMatrix());
+  if (memory_rows() > 0) memory = std::make_unique<Wide[]>(memory_rows());
+  for (std::size_t row = 0; row < memory_rows(); ++row) memory[row] = 0.0;
+}
+
+void Batch::attach(std::size_t lane, btRigidBody& body) {
+  bodies[lane] = &body;
+  identities[lane] = body_identity(body);
+  diverged.reset(lane);
+  in_step.reset(lane);
+  of_library.reset(lane);
+  may_be_clamped.set(lane);
+  steps[lane] = unresolved_steps[lane] = 0;
+  incident[lane] = reported[lane] = 0;
+  start(lane);
+}
+
+void Batch::detach(std::size_t lane) {
+  bodies[lane] = nullptr;
+  incident[lane] = 0;
+  in_step.reset(lane);
+  of_library.reset(lane);
+  may_be_clamped.reset(lane);
+}
+
+void Batch::start(std::size_t lane) {
+  const btRigidBody& body = *bodies[lane];
+  const BodyMotion motion = finite_motion(body, BodyMotion());
+  set_vector_in_lane(lane, motion.omega_W, written_omega_W);
+  set_vector_in_lane(lane, body.getInvInertiaDiagLocal(), inverse_inertia_B);
+  set_vector_in_lane(lane, motion.pose.getOrigin(), origin);
+  set_vector_in_lane(lane, motion.linear_velocity, linear_velocity);
+  RotationState first;
+  set_orientation(first, to_quaternion(motion.pose.getBasis()));
+  first.omega_W = to_double(motion.omega_W);
+  make_momentum_agree(moments_B(body.getInvInertiaDiagLocal()), keeps_rotation, first);
+  set_state(lane, first);
+}
+
+void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
+  set_state(to, other.state(from));
+  for (std::size_t row = 0; row < memory_rows(); ++row) memory[row].set(to, other.memory[row][from]);
+  for (auto rows :
+       {&Batch::written_omega_W, &Batch::inverse_inertia_B, &Batch::origin, &Batch::linear_velocity}) {
+    set_vector_in_lane(to, vector_in_lane(other.*rows, from), this->*rows);
+  }
+  bodies[to] = other.bodies[from];
+  identities[to] = other.identities[from];
+  list_index[to] = other.list_index[from];
+  for (auto bits : {&Batch::diverged, &Batch::in_step, &Batch::torqued, &Batch::may_be_clamped,
+                    &Batch::of_library, &Batch::constrained, &Batch::held, &Batch::given_mean,
+                    &Batch::given_effective, &Batch::given_torque, &Batch::unresolved}) {
+    (this->*bits)[to] = (other.*bits)[from];
+  }
+  gyroscopic_flags[to] = other.gyroscopic_flags[from];
+  if (other.applied_torque_W != nullptr) {
+    if (applied_torque_W == nullptr) applied_torque_W = std::make_unique<BulletRows>();
+    set_vector_in_lane(to, vector_in_lane(*other.applied_torque_W, from), *applied_torque_W);
+  }
+  if (other.effective != nullptr) {
+    if (effective == nullptr) effective = std::make_unique<EffectiveInertia<Wide>>();
+    for (int i = 0; i < 3; ++i) effective->u_W[i].set(to, other.effective->u_W[i][from]);
+    for (int i = 0; i < 9; ++i) effective->M_W.coeffRef(i).set(to, other.effective->M_W.coeff(i)[from]);
+  }
+  steps[to] = other.steps[from];
+  unresolved_steps[to] = other.unresolved_steps[from];
+  incident[to] = other.incident[from];
+  reported[to] = other.reported[from];
+}
+
+RotationState Batch::state(std::size_t lane) const {
+  RotationState result;
+  get_lane(lane, q_WB.coeffs(), result.q_WB.coeffs());
+  get_lane(lane, omega_W, result.omega_W);
+  get_lane(lane, L_W, result.L_W);
+  if (R_WB != nullptr) {
+    get_lane(lane, *R_WB, result.R_WB);
+  } else {
+    result.R_WB = result.q_WB.toRotationMatrix();
+  }
+  return result;
+}
+
+BodyMotion Batch::last_written(std::size_t lane) const {
+  const btTransform pose(to_bullet(Matrix3(state(lane).q_WB.toRotationMatrix())),
+                         vector_in_lane(origin, lane));
+  return {pose, vector_in_lane(linear_velocity, lane), vector_in_lane(written_omega_W, lane)};
+}
+
+void Batch::set_state(std::size_t lane, const RotationState& state) {
+  set_lane(lane, state.q_WB.coeffs(), q_WB.coeffs());
+  set_lane(lane, state.omega_W, omega_W);
+  set_lane(lane, state.L_W, L_W);
+  if (R_WB != nullptr) set_lane(lane, state.R_WB, *R_WB);
+  for (std::size_t row = 0; row < memory_rows(); ++row) memory[row].set(lane, 0.0);
+}
+
+WideState Batch::wide_state() const {
+  WideState result;
+  load_state(*this, result);
+  return result;
+}
+
+BodyRotation Batch::rotation(std::size_t lane) const {
+  RotationState now = state(lane);
+  if (!diverged[lane] && is_finite(*bodies[lane])) adopt_external_changes(*this, lane, now);
+  return {now, now.energy(), steps[lane], unresolved_steps[lane], diverged[lane], scheme->description().name};
+}
+
+void Batch::note(std::size_t lane, IncidentKind kind) {
+  incident[lane] = static_cast<std::uint8_t>(1 + static_cast<int>(kind));
+}
+
+bool Batch::has_incident() const {
+  return std::any_of(incident.begin(), incident.end(), [](std::uint8_t kind) { return kind != 0; });
+}
+
+Incident Batch::take_incident(std::size_t lane) {
+  const auto kind = static_cast<IncidentKind>(incident[lane] - 1);
+  incident[lane] = 0;
+  return {kind, bodies[lane], steps[lane]};
+}
+
+bool Batch::is_first_report(std::size_t lane, IncidentKind kind) {
+  const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(kind));
+  const bool first = (reported[lane] & bit) == 0;
+  reported[lane] = static_cast<std::uint8_t>(reported[lane] | bit);
+  return first;
+}
+
+void show(const Batch& batch, std::size_t lane, btRigidBody& body) {
+  btMotionState* motion_state = body.getMotionState();
+  if (motion_state == nullptr || !body.isActive() || body.isStaticOrKinematicObject()) return;
+  btTransform pose = body.getInterpolationWorldTransform();
+  if (!batch.keeps_rotation && !batch.diverged[lane]) pose.setBasis(to_bullet(batch.state(lane).R_WB));
+  motion_state->setWorldTransform(pose);
+}
+
+BodyPointers body_pointers(const Batch& batch, const LaneBits& lanes, btRigidBody& nobody) {
+  BodyPointers pointers;
+  for (std::size_t lane = 0; lane < kLanes; ++lane)
+    pointers[lane] = lanes[lane] ? batch.bodies[lane] : &nobody;
+  return pointers;
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

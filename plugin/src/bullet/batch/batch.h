@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "bullet/batch/bullet_rows.h"
+#include "bullet/batch/effective_inertia.h"
+#include "bullet/body/non_finite.h"
+#include "polhode/bullet/rotation_control.h"
+#include "scheme_base/wide_scheme.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+/// Up to eight bodies of one scheme, side by side for as long as they stay. Lane i of every member is body i;
+/// a lane without a body is a hole. Everything is double, except what Bullet's bodies held when the library
+/// last wrote them.
+struct alignas(64) Batch {
+  explicit Batch(SchemePointer scheme_of_all);
+
+  // The scheme.
+  SchemePointer scheme;
+  const WideScheme* wide_scheme;  ///< the same, if it steps eight bodies at once
+  TurnVelocity turn_velocity;
+  bool keeps_rotation;  ///< false: R_WB is kept beside q_WB
+
+  // The bodies.
+  std::array<btRigidBody*, kLanes> bodies{};       ///< null in a hole
+  std::array<int, kLanes> identities{};            ///< body_identity
+  std::array<std::uint32_t, kLanes> list_index{};  ///< in the world's list of bodies
+  LaneBits diverged;                               ///< left to Bullet, at rest in its last finite state
+
+  // The state.
+  QuaternionWide q_WB;
+  Vector3Wide omega_W;
+  Vector3Wide L_W;
+  std::unique_ptr<Matrix3Wide> R_WB;  ///< only where the scheme does not keep a rotation
+  std::unique_ptr<Wide[]> memory;     ///< of the scheme
+
+  // What Bullet's bodies held when the library last wrote them: the pose is q_WB, rounded. Always finite.
+  BulletRows written_omega_W;
+  BulletRows inverse_inertia_B;
+  BulletRows origin;
+  BulletRows linear_velocity;
+
+  // Between before_solve and after_solve.
+  LaneBits in_step;            ///< lanes whose step has begun
+  LaneBits torqued;            ///< of these, those whose body is under a torque
+  LaneBits may_be_clamped;     ///< continuous collision detection may stop these; predict knows
+  LaneBits of_library;         ///< in the present stage Bullet's loop skips these
+  bool has_strangers = false;  ///< another body has come to the address of one of these
+  LaneBits constrained;        ///< in a joint or a contact
+  LaneBits held;               ///< may not turn freely about some axis
+  LaneBits given_mean;       ///< of the constrained ones: the solver has the mean velocity of their free step
+  LaneBits given_effective;  ///< of these: the solver has their effective inertia too
+  LaneBits
+      given_torque;     ///< the solver has the gyroscopic change of a scheme that carries omega, as a torque
+  LaneBits unresolved;  ///< of the constrained ones: dt is too long to resolve their gyroscopic motion
+  std::array<std::uint8_t, kLanes> gyroscopic_flags{};  ///< the application's
+  std::unique_ptr<BulletRows>
+      applied_torque_W;  ///< the application's, of lanes given_torque; null until there is one
+  std::unique_ptr<EffectiveInertia<Wide>> effective;  ///< of lanes given_mean; null until there is one
+
+  // What happened.
+  std::array<std::uint64_t, kLanes> steps{};
+  std::array<std::uint64_t, kLanes> unresolved_steps{};
+  std::array<std::uint8_t, kLanes> incident{};  ///< 1 + IncidentKind; 0: none to report
+  std::array<std::uint8_t, kLanes> reported{};  ///< a bit for each IncidentKind
+
+  std::size_t memory_rows() const { return wide_scheme != nullptr ? wide_scheme->memory_rows() : 0; }
+  /// Takes the body into a hole as it is; what is not finite is taken to be at rest in the origin.
+  void attach(std::size_t lane, btRigidBody& body);
+  /// Takes the body's motion as it is: its first step starts there, whenever the body was seen first.
+  void start(std::size_t lane);
+  void detach(std::size_t lane);
+  /// Takes over the body in another batch of the same scheme, with all that is known of it.
+  void move_from(const Batch& other, std::size_t from, std::size_t to);
+
+  RotationState state(std::size_t lane) const;
+  BodyMotion last_written(std::size_t lane) const;
+  /// Sets the state, which nothing the scheme remembers of the lane belongs to.
+  void set_state(std::size_t lane, const RotationState& state);
+  /// All lanes, those without a body too.
+  WideState wide_state() const;
+  Vector3Wide inertia_B() const { return Vector3Wide(to_double(inverse_inertia_B).cwiseInverse()); }
+
+  BodyRotation rotation(std::size_t lane) const;
+
+  void note(std::size_t lane, IncidentKind kind);
+  bool has_incident() const;
+  Incident take_incident(std::size_t lane);
+  /// Whether the handler has not heard of this kind for this body; from now on it has.
+  bool is_first_report(std::size_t lane, IncidentKind kind);
+};
+
+/// Hands the pose to the motion state of a body that moves, with the R_WB that is no rotation if the scheme
+/// keeps one.
+void show(const Batch& batch, std::size_t lane, btRigidBody& body);
+
+/// The body of each of the lanes; `nobody` in the others.
+BodyPointers body_pointers(const Batch& batch, const LaneBits& lanes, btRigidBody& nobody);
+
+/// One lane of gathered vectors.
+inline btVector3 vector_in_lane(const BulletRows& rows, std::size_t lane) {
+  return {rows.x[lane], rows.y[lane], rows.z[lane]};
+}
+inline void set_vector_in_lane(std::size_t lane, const btVector3& v, BulletRows& rows) {
+  rows.x.set(lane, v.x());
+  rows.y.set(lane, v.y());
+  rows.z.set(lane, v.z());
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

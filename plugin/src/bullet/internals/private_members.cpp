@@ -1,0 +1,79 @@
+#include "bullet/internals/private_members.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+namespace {
+
+// The language exempts an explicit instantiation from access checks ([temp.spec]): a private member can be
+// named there, and used without a cast.
+template <class Value>
+struct MemberOfBody {
+  using Member = Value btRigidBody::*;
+};
+
+// Bullet counts its bodies in it. Everything else that tells two bodies apart can be equal in both:
+// broadphases reuse proxy numbers, applications copy flags.
+struct DebugBodyId : MemberOfBody<int> {
+  friend Member member_of(DebugBodyId);
+};
+
+struct AdditionalDamping : MemberOfBody<bool> {
+  friend Member member_of(AdditionalDamping);
+};
+
+struct InverseInertiaTensorW : MemberOfBody<btMatrix3x3> {
+  friend Member member_of(InverseInertiaTensorW);
+};
+
+template <class Tag, typename Tag::Member member>
+struct Reveal {
+  friend typename Tag::Member member_of(Tag) { return member; }
+};
+
+template struct Reveal<DebugBodyId, &btRigidBody::m_debugBodyId>;
+template struct Reveal<AdditionalDamping, &btRigidBody::m_additionalDamping>;
+template struct Reveal<InverseInertiaTensorW, &btRigidBody::m_invInertiaTensorWorld>;
+
+// A protected member is reached by a pointer to member that is formed in a derived class.
+struct World : btDiscreteDynamicsWorld {
+  static constexpr auto kIslandManager = &World::m_islandManager;
+  static constexpr auto kActions = &World::m_actions;
+  static constexpr auto kLocalTime = &World::m_localTime;
+  static constexpr auto kFixedTimeStep = &World::m_fixedTimeStep;
+  static constexpr auto kInterpolates = &World::m_latencyMotionStateInterpolation;
+  static constexpr auto kShowsAll = &World::m_synchronizeAllMotionStates;
+};
+
+}  // namespace
+
+int body_identity(const btRigidBody& body) {
+  return body.*member_of(DebugBodyId());
+}
+
+bool has_additional_damping(const btRigidBody& body) {
+  return body.*member_of(AdditionalDamping());
+}
+
+btMatrix3x3& inverse_inertia_tensor_W(btRigidBody& body) {
+  return body.*member_of(InverseInertiaTensorW());
+}
+
+btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world) {
+  return world.*World::kIslandManager;
+}
+
+btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world) {
+  return world.*World::kActions;
+}
+
+// As btDiscreteDynamicsWorld::synchronizeMotionStates and synchronizeSingleMotionState choose.
+bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world) {
+  const btScalar local_time = world.*World::kLocalTime;
+  const btScalar fixed_time_step = world.*World::kFixedTimeStep;
+  const bool looks_back = world.*World::kInterpolates && fixed_time_step != 0;
+  return world.*World::kShowsAll || (looks_back ? local_time != fixed_time_step : local_time != 0);
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include "polhode/bullet/precision.h"
+
+/// Members of Bullet 3.24's classes that have no accessor, or none to write with. Everything the library
+/// touches behind Bullet's interface is in this folder; third_party_notes/bullet.md lists it.
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+/// @name btRigidBody
+/// @{
+/// A number that no other btRigidBody of this process has: tells a body from a deleted one at the same
+/// address.
+int body_identity(const btRigidBody& body);
+
+/// btRigidBodyConstructionInfo::m_additionalDamping, which damps a slow body also at a damping of 0.
+bool has_additional_damping(const btRigidBody& body);
+
+/// What btRigidBody::updateInertiaTensor sets.
+btMatrix3x3& inverse_inertia_tensor_W(btRigidBody& body);
+
+/// Bullet's setters for these do more than the assignment, or take one body at a time.
+inline btVector3& angular_velocity(btRigidBody& body) {
+  return const_cast<btVector3&>(body.getAngularVelocity());
+}
+inline btVector3& interpolation_linear_velocity(btRigidBody& body) {
+  return const_cast<btVector3&>(body.getInterpolationLinearVelocity());
+}
+inline btVector3& interpolation_angular_velocity(btRigidBody& body) {
+  return const_cast<btVector3&>(body.getInterpolationAngularVelocity());
+}
+/// @}
+
+/// @name btDiscreteDynamicsWorld
+/// @{
+btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world);
+btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world);
+
+/// Whether synchronizeMotionStates, called now, would show bodies at a time between two steps, or objects
+/// that are not awake as well.
+bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world);
+/// @}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

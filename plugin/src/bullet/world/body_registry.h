@@ -1,0 +1,83 @@
+#pragma once
+
+#include <LinearMath/btAlignedObjectArray.h>
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "bullet/batch/batch.h"
+#include "bullet/world/scheme_choices.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+/// Which body of the world is in which batch. A body gets a place when it is first seen in the world's list
+/// and loses it when it is gone from there; the last body of its scheme then fills the hole. Bodies are the
+/// application's and may be dead between two calls of synchronize: until then none is looked at.
+class BodyRegistry {
+ public:
+  using Bodies = btAlignedObjectArray<btRigidBody*>;
+
+  /// Brings the batches in line with the world's list. Cheap where the list is as it was; then returns false.
+  bool synchronize(const Bodies& bodies, const SchemeChoices& choices);
+  /// Gives each body of the list the scheme that is chosen for it, starting afresh where that is another one,
+  /// and where a new body has come to the address of an old one. To be called after synchronize.
+  void settle(const SchemeChoices& choices);
+  /// The same for one body, starting afresh in any case.
+  void restart(btRigidBody& body, const SchemeChoices& choices);
+  void clear();
+
+  /// The bodies as last synchronized.
+  const std::vector<btRigidBody*>& bodies() const { return bodies_; }
+  const std::vector<Batch*>& batches() const { return batches_; }
+
+  struct Lane {
+    Batch* batch;  ///< null: the library does not rotate the body
+    std::size_t lane;
+  };
+  /// The place of bodies()[index].
+  Lane lane_at(std::size_t index) const;
+  /// The place of a body that is alive. A stranger is looked at afresh.
+  Lane find(const btRigidBody& body, const SchemeChoices& choices);
+
+  /// True if another body than the one seen has come to the address of bodies()[index].
+  bool is_stranger(std::size_t index) const;
+  /// True for any of them; the bodies in batches are compared by before_solve.
+  bool has_strangers() const;
+
+ private:
+  // The bodies of one scheme, numbered from 0 to count - 1, eight to a batch.
+  struct Family {
+    SchemePointer scheme;
+    std::vector<std::unique_ptr<Batch>> batches;
+    std::size_t count = 0;
+
+    Batch& batch_of(std::size_t number) { return *batches[number / kLanes]; }
+  };
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  struct Place {
+    std::uint32_t family = kNone;
+    std::uint32_t number = 0;  ///< in the family; of a body without one, its identity
+  };
+
+  void add(std::size_t index, const SchemeChoices& choices);
+  void remove(std::size_t index) { remove(std::exchange(places_[index], Place())); }
+  void remove(const Place& place);
+  std::uint32_t family_of(const SchemePointer& scheme);
+  std::size_t index_of(const btRigidBody& body) const;
+  void list_batches();
+
+  std::vector<btRigidBody*> bodies_;
+  std::vector<Place> places_;  // of bodies_
+  std::vector<Family> families_;
+  std::unordered_map<const RotationScheme*, std::uint32_t> family_of_scheme_;
+  std::vector<Batch*> batches_;
+  // Index in bodies_ by btCollisionObject::getWorldArrayIndex, which changes without notice: a hint.
+  mutable std::vector<std::uint32_t> hints_;
+};
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <unordered_map>
+
+#include "polhode/bullet/precision.h"
+#include "polhode/scheme_registry.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+/// Which scheme the application wants for which body.
+class SchemeChoices {
+ public:
+  /// Of every body without a choice of its own; null: Bullet rotates them.
+  SchemePointer default_scheme = polhode::default_scheme();
+
+  /// Null: Bullet rotates the body.
+  void choose(const btRigidBody& body, SchemePointer scheme);
+  void choose_default(const btRigidBody& body);
+
+  /// The scheme of the body; null: Bullet rotates it.
+  SchemePointer scheme_of(const btRigidBody& body) const;
+
+  /// Drops the choices of bodies for which `is_present(address)` is false.
+  template <class IsPresent>
+  void keep_only(const IsPresent& is_present) {
+    for (auto it = choices_.begin(); it != choices_.end();)
+      it = is_present(it->first) ? std::next(it) : choices_.erase(it);
+    changed_ = false;
+  }
+  /// To be called when bodies have come or gone.
+  void bodies_changed() { changed_ = true; }
+  /// Whether some choice may be of a body that is gone: one was made, or bodies came or went, since the last
+  /// keep_only.
+  bool changed() const { return changed_ && !choices_.empty(); }
+
+ private:
+  struct Choice {
+    int identity;  ///< body_identity: another body may get the address
+    SchemePointer scheme;
+  };
+
+  std::unordered_map<const btRigidBody*, Choice> choices_;
+  bool changed_ = false;
+};
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

@@ -1,0 +1,340 @@
+#include "bullet/world/world_stepper.h"
+
+#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <unordered_set>
+#include <utility>
+
+#include "bullet/batch/after_solve.h"
+#include "bullet/batch/before_solve.h"
+#include "bullet/batch/predict.h"
+#include "bullet/body/clamped_step.h"
+#include "bullet/body/non_finite.h"
+#include "bullet/internals/prefetch.h"
+#include "bullet/world/constrained_bodies.h"
+#include "bullet/world/parallel_loop.h"
+#include "polhode/bullet/conversions.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+namespace {
+
+// Long enough that handing a part to a thread does not show, short enough that the threads end together.
+constexpr int kBatchesInPart = 32;
+
+btDiscreteDynamicsWorld& require_discrete(btDynamicsWorld& world) {
+  const btDynamicsWorldType type = world.getWorldType();
+  if (type == BT_DISCRETE_DYNAMICS_WORLD || type == BT_SOFT_RIGID_DYNAMICS_WORLD) {
+    return static_cast<btDiscreteDynamicsWorld&>(world);
+  }
+  throw std::invalid_argument(
+      "the bodies of this kind of world cannot be rotated by a scheme (btDynamicsWorldType " +
+      std::to_string(type) +
+      "): valid are btDiscreteDynamicsWorld, btDiscreteDynamicsWorldMt, btSoftRigidDynamicsWorld, "
+      "btMultiBodyDynamicsWorld and classes derived from them");
+}
+
+// Those of the lanes that continuous collision detection will not stop in this step.
+LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& context) {
+  for (std::size_t lane = 0; lane < kLanes && batch.may_be_clamped.any(); ++lane) {
+    if (batch.may_be_clamped[lane] && lanes[lane] && may_be_clamped(*batch.bodies[lane], context.dt))
+      lanes.reset(lane);
+  }
+  return lanes;
+}
+
+void prefetch_nothing(const btRigidBody& /*body*/) {}
+
+void prefetch_for_prediction(const btRigidBody& body) {
+  prefetch_poses(body);
+  prefetch_velocities(body);
+  prefetch_forces(body);
+}
+
+void prefetch_for_solve(const btRigidBody& body) {
+  prefetch(&body.getWorldTransform(), &body.getWorldTransform() + 1);
+  prefetch_activation(body);
+  prefetch_velocities(body);
+  prefetch_dynamics(body);
+}
+
+void prefetch_for_integration(const btRigidBody& body) {
+  prefetch_poses(body);
+  prefetch_activation(body);
+  prefetch_inertia_W(body);
+  prefetch_flags(body);
+}
+
+void prefetch_for_motion_state(const btRigidBody& body) {
+  prefetch(&body.getInterpolationWorldTransform(), &body.getInterpolationWorldTransform() + 1);
+  prefetch_activation(body);
+  prefetch_flags(body);
+}
+
+}  // namespace
+
+WorldStepper::WorldStepper(btDynamicsWorld& world) : world_(&require_discrete(world)) {
+  require_matching_bullet();
+  attach();
+}
+
+btDiscreteDynamicsWorld& WorldStepper::world() const {
+  if (world_ == nullptr) throw std::logic_error("the world of this RotationControl is gone");
+  return *world_;
+}
+
+void WorldStepper::attach() {
+  claim_.claim(world());
+  bullet_of_this_thread();  // made here, where the application may make bodies too
+  synchronize();
+}
+
+void WorldStepper::detach() {
+  registry_.clear();
+  claim_.release();
+}
+
+void WorldStepper::world_is_gone() noexcept {
+  detach();
+  world_ = nullptr;
+}
+
+void WorldStepper::synchronize() {
+  if (registry_.synchronize(bodies(), choices_)) choices_.bodies_changed();
+}
+
+void WorldStepper::set_default_scheme(SchemePointer scheme) {
+  world();
+  choices_.default_scheme = std::move(scheme);
+  if (!claim_.holds()) return;
+  synchronize();
+  registry_.settle(choices_);
+}
+
+void WorldStepper::choose(btRigidBody& body, SchemePointer scheme) {
+  world();
+  choices_.choose(body, std::move(scheme));
+  restart(body);
+}
+
+void WorldStepper::choose_default(btRigidBody& body) {
+  world();
+  choices_.choose_default(body);
+  restart(body);
+}
+
+void WorldStepper::restart(btRigidBody& body) {
+  if (!claim_.holds()) return;
+  synchronize();
+  registry_.restart(body, choices_);
+}
+
+BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
+  if (world_ == nullptr || !claim_.holds() || body.isStaticOrKinematicObject()) return {nullptr, 0};
+  const int index = body.getWorldArrayIndex();
+  const btCollisionObjectArray& objects = world_->getCollisionObjectArray();
+  const bool is_in_world = index >= 0 && index < objects.size() && objects[index] == &body;
+  if (!is_in_world) return {nullptr, 0};
+  const BodyRegistry::Lane known = registry_.find(body, choices_);
+  if (known.batch != nullptr) return known;
+  synchronize();
+  return registry_.find(body, choices_);
+}
+
+std::size_t WorldStepper::managed_bodies() {
+  if (world_ == nullptr || !claim_.holds()) return 0;
+  synchronize();
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
+    count +=
+        registry_.lane_at(i).batch != nullptr && !registry_.bodies()[i]->isStaticOrKinematicObject() ? 1 : 0;
+  }
+  return count;
+}
+
+BulletTurn& WorldStepper::bullet_of_this_thread() {
+  static std::mutex one_at_a_time;  // a btRigidBody in there: its constructor counts bodies
+  std::unique_ptr<BulletTurn>& bullet = bullet_of_threads_[btGetCurrentThreadIndex()];
+  if (bullet == nullptr) {
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    bullet = std::make_unique<BulletTurn>();
+  }
+  return *bullet;
+}
+
+template <class Prefetch, class Function>
+void WorldStepper::for_batches(btScalar dt, const Prefetch& prefetch_body, const Function& function) {
+  const bool takes_effective_inertia = world_->getConstraintSolver()->getSolverType() != BT_MLCP_SOLVER;
+  const std::vector<Batch*>& batches = registry_.batches();
+  for_parts(batches.size(), kBatchesInPart, [&](std::size_t first, std::size_t last) {
+    const StepContext context = {dt, is_constrained_, takes_effective_inertia, bullet_of_this_thread()};
+    for (std::size_t i = first; i < last; ++i) {
+      for (std::size_t lane = 0; lane < kLanes && i + 1 < last; ++lane) {
+        if (batches[i + 1]->bodies[lane] != nullptr) prefetch_body(*batches[i + 1]->bodies[lane]);
+      }
+      function(*batches[i], context);
+    }
+  });
+}
+
+template <class Prefetch, class Function>
+void WorldStepper::share_with_bullet(btScalar dt, const Prefetch& prefetch_body, const Function& function,
+                                     const BulletsStage& bullet) {
+  synchronize();
+  std::atomic<std::size_t> count{0};
+  for_batches(dt, prefetch_body, [&](Batch& batch, const StepContext& context) {
+    batch.of_library = function(batch, context);
+    count.fetch_add(batch.of_library.count(), std::memory_order_relaxed);
+  });
+  shown_.clear();
+  if (count < registry_.bodies().size()) {
+    for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
+      const BodyRegistry::Lane place = registry_.lane_at(i);
+      if (place.batch == nullptr || !place.batch->of_library[place.lane])
+        shown_.push_back(registry_.bodies()[i]);
+    }
+  }
+  hidden_.hide_all_but(shown_, bodies(), bullet);
+}
+
+void WorldStepper::predict_unconstrained_motion(btScalar dt, const BulletsStage& bullet) {
+  share_with_bullet(
+      dt, prefetch_for_prediction,
+      [](Batch& batch, const StepContext& context) { return predict(batch, context); }, bullet);
+}
+
+void WorldStepper::create_predictive_contacts(btScalar dt, const BulletsStage& bullet) {
+  share_with_bullet(
+      dt, prefetch_nothing,
+      [](Batch& batch, const StepContext& context) { return unclamped(batch, batch.of_library, context); },
+      bullet);
+}
+
+void WorldStepper::before_solve() noexcept {
+  if (world_ == nullptr || !claim_.holds()) return;
+  synchronize();
+  if (choices_.changed()) {
+    const std::unordered_set<const btRigidBody*> present(registry_.bodies().begin(),
+                                                         registry_.bodies().end());
+    choices_.keep_only([&](const btRigidBody* body) { return present.count(body) != 0; });
+  }
+  find_constrained_bodies(*world_, is_constrained_);
+  const btScalar dt = world_->getDispatchInfo().m_timeStep;
+  begin_batches(dt);
+  if (registry_.has_strangers()) {
+    registry_.settle(choices_);
+    begin_batches(dt);
+  }
+  forget_contacts_of_sanitized();
+}
+
+void WorldStepper::begin_batches(btScalar dt) {
+  for_batches(dt, prefetch_for_solve,
+              [](Batch& batch, const StepContext& context) { polhode::before_solve(batch, context); });
+}
+
+void WorldStepper::after_integration(btScalar dt) noexcept {
+  if (world_ == nullptr || !claim_.holds()) return;
+  synchronize();
+  for_batches(dt, prefetch_for_integration, [](Batch& batch, const StepContext& context) {
+    after_solve(batch, batch.in_step, PoseIntegratedBy::bullet, context);
+  });
+  report();
+}
+
+void WorldStepper::integrate_transforms(btScalar dt, const BulletsStage& bullet) {
+  // Bullet's speculative contact restitution wants to integrate every body itself.
+  if (world_->getApplySpeculativeContactRestitution()) {
+    bullet();
+    after_integration(dt);
+    return;
+  }
+  const auto integrate = [](Batch& batch, const StepContext& context) {
+    const LaneBits lanes = unclamped(batch, batch.in_step, context);
+    after_solve(batch, lanes, PoseIntegratedBy::library, context);
+    return lanes;
+  };
+  share_with_bullet(dt, prefetch_for_integration, integrate, bullet);
+  if (shown_.empty()) {
+    report();
+  } else {
+    after_integration(dt);
+  }
+}
+
+void WorldStepper::synchronize_motion_states(const BulletsStage& bullet) {
+  if (shows_more_than_the_step_end(*world_)) {
+    bullet();
+    show_swollen_bodies();
+    return;
+  }
+  // A motion state may add or remove bodies: nothing is assumed of the list from one body to the next.
+  constexpr int kAhead = 6;
+  for (int i = 0; i < bodies().size(); ++i) {
+    if (i + 2 * kAhead < bodies().size()) prefetch_for_motion_state(*bodies()[i + 2 * kAhead]);
+    if (i + kAhead < bodies().size()) prefetch_motion_state(*bodies()[i + kAhead]);
+    btRigidBody& body = *bodies()[i];
+    const auto index = static_cast<std::size_t>(i);
+    const bool is_known = index < registry_.bodies().size() && registry_.bodies()[index] == &body;
+    const BodyRegistry::Lane place = is_known ? registry_.lane_at(index) : BodyRegistry::Lane{nullptr, 0};
+    if (place.batch == nullptr) {
+      if (body.isActive()) world_->synchronizeSingleMotionState(&body);
+    } else {
+      show(*place.batch, place.lane, body);
+    }
+  }
+}
+
+void WorldStepper::show_swollen_bodies() {
+  if (world_ == nullptr || !claim_.holds()) return;
+  for (int i = 0; i < bodies().size(); ++i) {
+    const auto index = static_cast<std::size_t>(i);
+    if (index >= registry_.bodies().size() || registry_.bodies()[index] != bodies()[i]) continue;
+    const BodyRegistry::Lane place = registry_.lane_at(index);
+    if (place.batch != nullptr && !place.batch->keeps_rotation) show(*place.batch, place.lane, *bodies()[i]);
+  }
+}
+
+// Collision detection went by where such a body was: its contacts may hold numbers that are not finite.
+void WorldStepper::forget_contacts_of_sanitized() {
+  for (const Batch* batch : registry_.batches()) {
+    if (!batch->has_incident()) continue;
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      if (batch->incident[lane] != 0) forget_contacts(*world_->getDispatcher(), *batch->bodies[lane]);
+    }
+  }
+}
+
+// When every body is done, since the handler may release, reassign or remove bodies.
+void WorldStepper::report() {
+  std::vector<Incident> list;
+  bool any = false;
+  for (const Batch* batch : registry_.batches()) any = any || batch->has_incident();
+  if (!any) return;
+  for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
+    const BodyRegistry::Lane place = registry_.lane_at(i);
+    if (place.batch == nullptr || place.batch->incident[place.lane] == 0) continue;
+    const Incident incident = place.batch->take_incident(place.lane);
+    ++incidents;
+    if (incident.kind == IncidentKind::non_finite_body)
+      forget_contacts(*world_->getDispatcher(), *incident.body);
+    if (handler && place.batch->is_first_report(place.lane, incident.kind)) list.push_back(incident);
+  }
+  const IncidentHandler present_handler = handler;
+  for (const Incident& incident : list) {
+    // An earlier call may have taken the body out of the world, and deleted it.
+    if (bodies().findLinearSearch(incident.body) == bodies().size()) continue;
+    try {
+      present_handler(incident);
+    } catch (...) {  // nothing may be thrown through Bullet's step
+    }
+  }
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "bullet/batch/step_context.h"
+#include "bullet/internals/hidden_bodies.h"
+#include "bullet/world/body_registry.h"
+#include "bullet/world/world_claim.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+/// The bodies of a world and the stages of its step: the engine behind RotationControl. The loops over
+/// batches run on the threads of Bullet's task scheduler, if the application has given it one.
+class WorldStepper {
+ public:
+  /// @throws std::invalid_argument, std::runtime_error as RotationPlugin's constructor.
+  explicit WorldStepper(btDynamicsWorld& world);
+
+  /// @name For RotationControl
+  /// @{
+  void attach();
+  void detach();
+  void world_is_gone() noexcept;
+  void set_default_scheme(SchemePointer scheme);
+  void choose(btRigidBody& body, SchemePointer scheme);
+  void choose_default(btRigidBody& body);
+  /// Batch null: the library does not rotate the body.
+  BodyRegistry::Lane find(const btRigidBody& body);
+  std::size_t managed_bodies();
+  /// @throws std::logic_error if the world is gone.
+  btDiscreteDynamicsWorld& world() const;
+  /// @}
+
+  /// @name The stages of a step, in order
+  /// `bullet` is what Bullet's own class does in the stage.
+  /// @{
+  using BulletsStage = std::function<void()>;
+  void predict_unconstrained_motion(btScalar dt, const BulletsStage& bullet);
+  void create_predictive_contacts(btScalar dt, const BulletsStage& bullet);
+  void before_solve() noexcept;
+  /// Bullet integrates only the bodies that the library does not.
+  void integrate_transforms(btScalar dt, const BulletsStage& bullet);
+  /// Where Bullet integrated them all.
+  void after_integration(btScalar dt) noexcept;
+  void synchronize_motion_states(const BulletsStage& bullet);
+  /// Hands the R_WB of bodies whose scheme does not keep a rotation to their motion states as it is.
+  void show_swollen_bodies();
+  /// @}
+
+  IncidentHandler handler;
+  std::uint64_t incidents = 0;
+
+ private:
+  BodyRegistry::Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
+  void synchronize();
+  void restart(btRigidBody& body);
+  void mark_constrained_bodies();
+  BulletTurn& bullet_of_this_thread();
+  /// function(batch, context) for each batch; prefetch_body(body) for the bodies of the next one.
+  template <class Prefetch, class Function>
+  void for_batches(btScalar dt, const Prefetch& prefetch_body, const Function& function);
+  /// lanes = function(batch, context) are the library's in this stage: Bullet's loop skips their bodies.
+  template <class Prefetch, class Function>
+  void share_with_bullet(btScalar dt, const Prefetch& prefetch_body, const Function& function,
+                         const BulletsStage& bullet);
+  void begin_batches(btScalar dt);
+  void forget_contacts_of_sanitized();
+  void report();
+
+  btDiscreteDynamicsWorld* world_;
+  WorldClaim claim_;
+  SchemeChoices choices_;
+  BodyRegistry registry_;
+  std::vector<char> is_constrained_;  // by btCollisionObject::getWorldArrayIndex
+  std::array<std::unique_ptr<BulletTurn>, BT_MAX_THREAD_COUNT> bullet_of_threads_;
+  std::vector<btRigidBody*> shown_;  // to Bullet's loop
+  HiddenBodies hidden_;
+};
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "polhode/rotation_state.h"
+
+/// The turn that implicit_midpoint and the two schemes of Moser and Veselov make in a step. In its Cayley
+/// vector a = tan(angle/2) axis their equations differ by one factor:
+///
+///   I_B a + a x I_B a = (dt/2) L_B (1 + stretch |a|^2)
+///
+/// The midpoint rule has stretch 0, Moser and Veselov have 1: theirs is a midpoint step of length
+/// dt (1 + |a|^2). Either way the momenta before and after the turn are, but for a common factor, I_B a + a x
+/// I_B a and I_B a - a x I_B a. They have the same length, since a x I_B a is normal to I_B a, and the same
+/// energy, since it is normal to a.
+namespace polhode::formulas {
+
+struct CayleyEquation {
+  Vector3 inertia_B;
+  Vector3 half_impulse_B;  ///< (dt/2) L_B, kg m^2
+  double stretch;
+};
+
+/// The turn of a step, (1, a)/sqrt(1 + |a|^2), a the root that Newton's method with a line search finds from
+/// (dt/2) omega_B, to rounding; not finite where it finds none. Short steps get the root that grows out of
+/// a = 0 with dt. `inertia_B` are the moments that omega_B goes by; the equation may have others.
+Quaternion cayley_turn_B(const CayleyEquation& equation, const Vector3& inertia_B);
+
+}  // namespace polhode::formulas

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "math/rotation.h"
+#include "scheme_base/wide_state.h"
+
+/// The step of the schemes of TurnVelocity::mean, which turn a body at constant momentum:
+///
+///   L_W <- L_W + I_W(q_t) delta_omega_W                kick
+///   q_{t+1} = q_t rho_B(L_B),  L_B = q_t^-1 L_W        turn
+///   omega_W = I_W(q_{t+1})^-1 L_W
+///
+/// For a torque this is symplectic Euler: of order 1, and a spring keeps its energy.
+namespace polhode::schemes {
+
+/// L_W + I_W(q_t) delta_omega_W
+template <class Real>
+formulas::Vector<Real> kicked_L_W(const StepInputOf<Real>& input, const StateOf<Real>& start) {
+  return start.L_W + formulas::times_inertia_W<Real>(start.R_WB, input.inertia_B, input.delta_omega_W);
+}
+
+/// Steps by `turn_B(inertia_B, L_B, dt)`, the turn of free motion in body axes.
+template <class Turn>
+void kick_and_turn(const StepInput& input, RotationState& state, Turn turn_B) {
+  const Vector3 L_W = kicked_L_W<double>(input, state);
+  if (!L_W.isZero(0.0)) {  // a body at rest keeps its orientation to the last bit
+    const Quaternion rho_B = turn_B(input.inertia_B, Vector3(state.R_WB.transpose() * L_W), input.dt);
+    set_orientation(state, (state.q_WB * rho_B).normalized());
+  }
+  set_angular_momentum(state, input.inertia_B, L_W);
+}
+
+}  // namespace polhode::schemes

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <type_traits>
+
+#include "math/rotation.h"
+#include "polhode/rotation_scheme.h"
+#include "simd/wide.h"
+
+/// StepInput and RotationState of eight bodies, and the functions that rotation_math.h has for the latter.
+namespace polhode {
+
+struct WideStepInput {
+  Vector3Wide inertia_B;
+  Vector3Wide delta_omega_W;
+  Wide dt;
+};
+
+struct WideState {
+  QuaternionWide q_WB;
+  Matrix3Wide R_WB;
+  Vector3Wide omega_W;
+  Vector3Wide L_W;
+};
+
+/// For a step written once for Real = double (one body) and Real = Wide (eight bodies).
+template <class Real>
+using StepInputOf = std::conditional_t<std::is_same_v<Real, double>, StepInput, WideStepInput>;
+template <class Real>
+using StateOf = std::conditional_t<std::is_same_v<Real, double>, RotationState, WideState>;
+
+inline void set_orientation(WideState& state, const QuaternionWide& q_WB) {
+  state.q_WB = q_WB;
+  state.R_WB = q_WB.toRotationMatrix();
+}
+
+inline void set_omega(WideState& state, const Vector3Wide& inertia_B, const Vector3Wide& omega_W) {
+  state.omega_W = omega_W;
+  state.L_W = formulas::times_inertia_W(state.R_WB, inertia_B, omega_W);
+}
+
+inline void set_angular_momentum(WideState& state, const Vector3Wide& inertia_B, const Vector3Wide& L_W) {
+  state.L_W = L_W;
+  state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, L_W);
+}
+
+/// @name One of the bodies
+/// @{
+template <class Values, class Doubles>
+void get_lane(std::size_t lane, const Values& values, Doubles& result) {
+  for (int i = 0; i < Values::SizeAtCompileTime; ++i) result.coeffRef(i) = values.coeff(i)[lane];
+}
+
+inline void get_lane(std::size_t lane, const WideStepInput& input, StepInput& result) {
+  get_lane(lane, input.inertia_B, result.inertia_B);
+  get_lane(lane, input.delta_omega_W, result.delta_omega_W);
+  result.dt = input.dt[lane];
+}
+
+inline void get_lane(std::size_t lane, const WideState& state, RotationState& result) {
+  get_lane(lane, state.q_WB.coeffs(), result.q_WB.coeffs());
+  get_lane(lane, state.R_WB, result.R_WB);
+  get_lane(lane, state.omega_W, result.omega_W);
+  get_lane(lane, state.L_W, result.L_W);
+}
+
+template <class Doubles, class Values>
+void set_lane(std::size_t lane, const Doubles& values, Values& result) {
+  for (int i = 0; i < Values::SizeAtCompileTime; ++i) result.coeffRef(i).set(lane, values.coeff(i));
+}
+
+inline void set_lane(std::size_t lane, const StepInput& input, WideStepInput& result) {
+  set_lane(lane, input.inertia_B, result.inertia_B);
+  set_lane(lane, input.delta_omega_W, result.delta_omega_W);
+  result.dt.set(lane, input.dt);
+}
+
+inline void set_lane(std::size_t lane, const RotationState& state, WideState& result) {
+  set_lane(lane, state.q_WB.coeffs(), result.q_WB.coeffs());
+  set_lane(lane, state.R_WB, result.R_WB);
+  set_lane(lane, state.omega_W, result.omega_W);
+  set_lane(lane, state.L_W, result.L_W);
+}
+/// @}
+
+/// In each lane `a` where the mask holds, else `b`.
+inline WideState select(const WideMask& mask, const WideState& a, const WideState& b) {
+  return {QuaternionWide(select(mask, a.q_WB.coeffs(), b.q_WB.coeffs())), select(mask, a.R_WB, b.R_WB),
+          select(mask, a.omega_W, b.omega_W), select(mask, a.L_W, b.L_W)};
+}
+
+}  // namespace polhode
