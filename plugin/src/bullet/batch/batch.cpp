@@ -143,17 +143,18 @@ BodyRotation Batch::rotation(std::size_t lane) const {
 }
 
 void Batch::note(std::size_t lane, IncidentKind kind) {
-  incident[lane] = static_cast<std::uint8_t>(1 + static_cast<int>(kind));
+  incident[lane] = static_cast<std::uint8_t>(incident[lane] | (1U << static_cast<unsigned>(kind)));
 }
 
 bool Batch::has_incident() const {
-  return std::any_of(incident.begin(), incident.end(), [](std::uint8_t kind) { return kind != 0; });
+  return std::any_of(incident.begin(), incident.end(), [](std::uint8_t kinds) { return kinds != 0; });
 }
 
-Incident Batch::take_incident(std::size_t lane) {
-  const auto kind = static_cast<IncidentKind>(incident[lane] - 1);
-  incident[lane] = 0;
-  return {kind, bodies[lane], steps[lane]};
+bool Batch::take_incident(std::size_t lane, IncidentKind kind) {
+  const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(kind));
+  const bool was_noted = (incident[lane] & bit) != 0;
+  incident[lane] = static_cast<std::uint8_t>(incident[lane] & ~bit);
+  return was_noted;
 }
 
 bool Batch::is_first_report(std::size_t lane, IncidentKind kind) {

@@ -64,7 +64,7 @@ struct alignas(64) Batch {
   // What happened.
   std::array<std::uint64_t, kLanes> steps{};
   std::array<std::uint64_t, kLanes> unresolved_steps{};
-  std::array<std::uint8_t, kLanes> incident{};  ///< 1 + IncidentKind; 0: none to report
+  std::array<std::uint8_t, kLanes> incident{};  ///< a bit for each IncidentKind to report
   std::array<std::uint8_t, kLanes> reported{};  ///< a bit for each IncidentKind
 
   std::size_t memory_rows() const { return wide_scheme != nullptr ? wide_scheme->memory_rows() : 0; }
@@ -88,7 +88,8 @@ struct alignas(64) Batch {
 
   void note(std::size_t lane, IncidentKind kind);
   bool has_incident() const;
-  Incident take_incident(std::size_t lane);
+  /// True if it was noted; it is not any more.
+  bool take_incident(std::size_t lane, IncidentKind kind);
   /// Whether the handler has not heard of this kind for this body; from now on it has.
   bool is_first_report(std::size_t lane, IncidentKind kind);
 };

@@ -318,12 +318,16 @@ void WorldStepper::report() {
   if (!any) return;
   for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
     const BodyRegistry::Lane place = registry_.lane_at(i);
-    if (place.batch == nullptr || place.batch->incident[place.lane] == 0) continue;
-    const Incident incident = place.batch->take_incident(place.lane);
-    ++incidents;
-    if (incident.kind == IncidentKind::non_finite_body)
-      forget_contacts(*world_->getDispatcher(), *incident.body);
-    if (handler && place.batch->is_first_report(place.lane, incident.kind)) list.push_back(incident);
+    if (place.batch == nullptr) continue;
+    btRigidBody& body = *registry_.bodies()[i];
+    for (const IncidentKind kind : {IncidentKind::non_finite_body, IncidentKind::scheme_diverged}) {
+      if (!place.batch->take_incident(place.lane, kind)) continue;
+      ++incidents;
+      if (kind == IncidentKind::non_finite_body) forget_contacts(*world_->getDispatcher(), body);
+      if (handler && place.batch->is_first_report(place.lane, kind)) {
+        list.push_back({kind, &body, place.batch->steps[place.lane]});
+      }
+    }
   }
   const IncidentHandler present_handler = handler;
   for (const Incident& incident : list) {
