@@ -72,7 +72,12 @@ bool is_switched_off_by_nan(const btRigidBody& body) {
   return body.getActivationState() == DISABLE_SIMULATION && !is_finite(body);
 }
 
-// Lanes whose step begins now.
+void sanitize_lane(Batch& batch, std::size_t lane) {
+  sanitize(*batch.bodies[lane], batch.last_written(lane));
+  batch.note(lane, IncidentKind::non_finite_body);
+}
+
+// Lanes whose step begins now. A body that has diverged is Bullet's, but still kept from spreading a NaN.
 LaneBits lanes_to_begin(Batch& batch) {
   LaneBits lanes;
   batch.has_strangers = false;
@@ -83,16 +88,14 @@ LaneBits lanes_to_begin(Batch& batch) {
     const bool is_the_same = body_identity(*body) == batch.identities[lane];
     if (!is_the_same) batch.has_strangers = true;
     lanes[lane] = is_the_same && !batch.diverged[lane];
+    if (is_the_same && batch.diverged[lane] && !is_finite(*body)) sanitize_lane(batch, lane);
   }
   return lanes;
 }
 
 void take_over(Batch& batch, std::size_t lane, const Found& found, const StepContext& context) {
   btRigidBody& body = *batch.bodies[lane];
-  if (!is_finite(body)) {
-    sanitize(body, batch.last_written(lane));
-    batch.note(lane, IncidentKind::non_finite_body);
-  }
+  if (!is_finite(body)) sanitize_lane(batch, lane);
   adopt_external_changes(batch, lane, context.bullet.damping_factor(body.getAngularDamping(), context.dt));
   if (found.finite[lane]) return;
   set_vector_in_lane(lane, body.getLinearVelocity(), batch.linear_velocity);
