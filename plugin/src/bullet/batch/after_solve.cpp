@@ -1,8 +1,8 @@
-#include "bullet/batch/after_solve.h"
-
 #include <limits>
 
+#include "bullet/batch/begin_step.h"
 #include "bullet/batch/scheme_step.h"
+#include "bullet/batch/stages.h"
 #include "bullet/batch/write_step.h"
 #include "bullet/body/clamped_step.h"
 #include "bullet/body/external_changes.h"
@@ -32,6 +32,9 @@ void read_solved(const BodyPointers& bodies, PoseIntegratedBy integrator, btScal
   if (!by_bullet) {
     solved.origin = {solved.origin.x + v.x * dt, solved.origin.y + v.y * dt, solved.origin.z + v.z * dt};
   }
+  BulletDifferences turns;
+  add_differences(gather_basis(bodies, basis), to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix())), turns);
+  solved.turned = by_bullet ? batch.constrained : ~turns.are_none().bits();
   BulletDifferences differences;
   add_differences(solved.omega_W, batch.written_omega_W, differences);
   solved.acted = ~differences.are_none().bits();
@@ -57,8 +60,7 @@ LaneBits lanes_to_step(Batch& batch, const LaneBits& lanes, const Solved& solved
     if (!lanes[lane]) continue;
     btRigidBody& body = *batch.bodies[lane];
     if (!solved.finite[lane] && !is_finite(body)) {
-      sanitize(body, batch.last_written(lane));
-      batch.note(lane, IncidentKind::non_finite_body);
+      sanitize_lane(batch, lane);
       stepping.reset(lane);
     } else if (!moves(body)) {
       if (batch.given_effective[lane] || batch.held[lane]) body.updateInertiaTensor();
@@ -171,7 +173,8 @@ void after_solve(Batch& batch, LaneBits lanes, PoseIntegratedBy integrator,
                  const StepContext& context) noexcept {
   if (lanes.none()) return;
   restore(batch, lanes);
-  batch.in_step &= ~lanes;
+  batch.begun &= ~lanes;
+  batch.in_solve &= ~lanes;
   Solved solved;
   WideStepInput input;
   read_solved(body_pointers(batch, lanes, context.bullet.nobody()), integrator, context.dt, batch, solved,
@@ -179,14 +182,11 @@ void after_solve(Batch& batch, LaneBits lanes, PoseIntegratedBy integrator,
   const LaneBits stepping = lanes_to_step(batch, lanes, solved);
   if (stepping.none()) return;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (stepping[lane] && batch.constrained[lane])
-      adopt_split_impulse(batch, lane, integrator, solved, context);
+    if (stepping[lane] && solved.turned[lane]) adopt_split_impulse(batch, lane, integrator, solved, context);
   }
 
-  StepResult result;
-  result.state = batch.wide_state();
-  result.shown_W = result.mean_W = batch.omega_W;
-  result.turns_by_solved = stepping & ~batch.held & lanes_that_turn_by_solved(batch, solved);
+  const LaneBits turning_by_solved = stepping & ~batch.held & lanes_that_turn_by_solved(batch, solved);
+  StepResult result = {batch.wide_state(), batch.omega_W, batch.omega_W, turning_by_solved};
   const LaneBits free = stepping & ~result.turns_by_solved & ~batch.held;
   const LaneBits torqued = free & batch.torqued & ~batch.constrained;
   if (torqued.any()) {

@@ -1,6 +1,5 @@
 #include "bullet/batch/batch.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "bullet/body/external_changes.h"
@@ -29,7 +28,7 @@ Batch::Batch(SchemePointer scheme_of_all)
       turn_velocity(scheme->description().turn_velocity),
       keeps_rotation(scheme->description().rotation != Conservation::lost) {
   const BulletRows zero = {btScalar(0), btScalar(0), btScalar(0)};
-  written_omega_W = origin = linear_velocity = zero;
+  written_omega_W = origin = zero;
   inverse_inertia_B = {btScalar(1), btScalar(1), btScalar(1)};
   q_WB = QuaternionWide(Wide(1.0), Wide(0.0), Wide(0.0), Wide(0.0));
   omega_W = L_W = Vector3Wide::Constant(Wide(0.0));
@@ -42,18 +41,24 @@ void Batch::attach(std::size_t lane, btRigidBody& body) {
   bodies[lane] = &body;
   identities[lane] = body_identity(body);
   diverged.reset(lane);
-  in_step.reset(lane);
+  begun.reset(lane);
+  in_solve.reset(lane);
   of_library.reset(lane);
   may_be_clamped.set(lane);
   steps[lane] = unresolved_steps[lane] = 0;
-  incident[lane] = reported[lane] = 0;
+  for (std::size_t kind = 0; kind < kIncidentKinds; ++kind) {
+    to_report[kind].reset(lane);
+    reported[kind].reset(lane);
+  }
   start(lane);
 }
 
 void Batch::detach(std::size_t lane) {
   bodies[lane] = nullptr;
-  incident[lane] = 0;
-  in_step.reset(lane);
+  diverged.reset(lane);
+  for (LaneBits& lanes : to_report) lanes.reset(lane);
+  begun.reset(lane);
+  in_solve.reset(lane);
   of_library.reset(lane);
   may_be_clamped.reset(lane);
 }
@@ -64,7 +69,6 @@ void Batch::start(std::size_t lane) {
   set_vector_in_lane(lane, motion.omega_W, written_omega_W);
   set_vector_in_lane(lane, body.getInvInertiaDiagLocal(), inverse_inertia_B);
   set_vector_in_lane(lane, motion.pose.getOrigin(), origin);
-  set_vector_in_lane(lane, motion.linear_velocity, linear_velocity);
   RotationState first;
   set_orientation(first, to_quaternion(motion.pose.getBasis()));
   first.omega_W = to_double(motion.omega_W);
@@ -75,16 +79,16 @@ void Batch::start(std::size_t lane) {
 void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
   set_state(to, other.state(from));
   for (std::size_t row = 0; row < memory_rows(); ++row) memory[row].set(to, other.memory[row][from]);
-  for (auto rows :
-       {&Batch::written_omega_W, &Batch::inverse_inertia_B, &Batch::origin, &Batch::linear_velocity}) {
+  for (auto rows : {&Batch::written_omega_W, &Batch::inverse_inertia_B, &Batch::origin}) {
     set_vector_in_lane(to, vector_in_lane(other.*rows, from), this->*rows);
   }
   bodies[to] = other.bodies[from];
   identities[to] = other.identities[from];
   list_index[to] = other.list_index[from];
-  for (auto bits : {&Batch::diverged, &Batch::in_step, &Batch::torqued, &Batch::may_be_clamped,
-                    &Batch::of_library, &Batch::constrained, &Batch::held, &Batch::given_mean,
-                    &Batch::given_effective, &Batch::given_torque, &Batch::unresolved}) {
+  world_index[to] = other.world_index[from];
+  for (auto bits : {&Batch::diverged, &Batch::begun, &Batch::in_solve, &Batch::torqued,
+                    &Batch::may_be_clamped, &Batch::of_library, &Batch::constrained, &Batch::held,
+                    &Batch::given_mean, &Batch::given_effective, &Batch::given_torque, &Batch::unresolved}) {
     (this->*bits)[to] = (other.*bits)[from];
   }
   gyroscopic_flags[to] = other.gyroscopic_flags[from];
@@ -99,8 +103,10 @@ void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
   }
   steps[to] = other.steps[from];
   unresolved_steps[to] = other.unresolved_steps[from];
-  incident[to] = other.incident[from];
-  reported[to] = other.reported[from];
+  for (std::size_t kind = 0; kind < kIncidentKinds; ++kind) {
+    to_report[kind][to] = other.to_report[kind][from];
+    reported[kind][to] = other.reported[kind][from];
+  }
 }
 
 RotationState Batch::state(std::size_t lane) const {
@@ -119,7 +125,9 @@ RotationState Batch::state(std::size_t lane) const {
 BodyMotion Batch::last_written(std::size_t lane) const {
   const btTransform pose(to_bullet(Matrix3(state(lane).q_WB.toRotationMatrix())),
                          vector_in_lane(origin, lane));
-  return {pose, vector_in_lane(linear_velocity, lane), vector_in_lane(written_omega_W, lane)};
+  const btVector3& linear_velocity = bodies[lane]->getInterpolationLinearVelocity();  // as scattered
+  return {pose, are_finite(linear_velocity) ? linear_velocity : btVector3(0, 0, 0),
+          vector_in_lane(written_omega_W, lane)};
 }
 
 void Batch::set_state(std::size_t lane, const RotationState& state) {
@@ -140,28 +148,6 @@ BodyRotation Batch::rotation(std::size_t lane) const {
   RotationState now = state(lane);
   if (!diverged[lane] && is_finite(*bodies[lane])) adopt_external_changes(*this, lane, now);
   return {now, now.energy(), steps[lane], unresolved_steps[lane], diverged[lane], scheme->description().name};
-}
-
-void Batch::note(std::size_t lane, IncidentKind kind) {
-  incident[lane] = static_cast<std::uint8_t>(incident[lane] | (1U << static_cast<unsigned>(kind)));
-}
-
-bool Batch::has_incident() const {
-  return std::any_of(incident.begin(), incident.end(), [](std::uint8_t kinds) { return kinds != 0; });
-}
-
-bool Batch::take_incident(std::size_t lane, IncidentKind kind) {
-  const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(kind));
-  const bool was_noted = (incident[lane] & bit) != 0;
-  incident[lane] = static_cast<std::uint8_t>(incident[lane] & ~bit);
-  return was_noted;
-}
-
-bool Batch::is_first_report(std::size_t lane, IncidentKind kind) {
-  const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(kind));
-  const bool first = (reported[lane] & bit) == 0;
-  reported[lane] = static_cast<std::uint8_t>(reported[lane] | bit);
-  return first;
 }
 
 void show(const Batch& batch, std::size_t lane, btRigidBody& body) {

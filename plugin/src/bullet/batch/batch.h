@@ -12,6 +12,8 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
+inline constexpr std::size_t kIncidentKinds = 2;
+
 /// Up to eight bodies of one scheme, side by side for as long as they stay. Lane i of every member is body i;
 /// a lane without a body is a hole. Everything is double, except what Bullet's bodies held when the library
 /// last wrote them.
@@ -28,7 +30,8 @@ struct alignas(64) Batch {
   std::array<btRigidBody*, kLanes> bodies{};       ///< null in a hole
   std::array<int, kLanes> identities{};            ///< body_identity
   std::array<std::uint32_t, kLanes> list_index{};  ///< in the world's list of bodies
-  LaneBits diverged;                               ///< left to Bullet, at rest in its last finite state
+  std::array<int, kLanes> world_index{};  ///< btCollisionObject::getWorldArrayIndex, as the step began
+  LaneBits diverged;                      ///< left to Bullet, at rest in its last finite state
 
   // The state.
   QuaternionWide q_WB;
@@ -41,10 +44,10 @@ struct alignas(64) Batch {
   BulletRows written_omega_W;
   BulletRows inverse_inertia_B;
   BulletRows origin;
-  BulletRows linear_velocity;
 
-  // Between before_solve and after_solve.
-  LaneBits in_step;            ///< lanes whose step has begun
+  // Within a step.
+  LaneBits begun;              ///< lanes whose step has begun
+  LaneBits in_solve;           ///< of these, those between before_solve and after_solve
   LaneBits torqued;            ///< of these, those whose body is under a torque
   LaneBits may_be_clamped;     ///< continuous collision detection may stop these; predict knows
   LaneBits of_library;         ///< in the present stage Bullet's loop skips these
@@ -63,10 +66,12 @@ struct alignas(64) Batch {
 
   // What happened.
   std::array<std::uint64_t, kLanes> steps{};
-  std::array<std::uint64_t, kLanes> unresolved_steps{};
-  std::array<std::uint8_t, kLanes> incident{};  ///< a bit for each IncidentKind to report
-  std::array<std::uint8_t, kLanes> reported{};  ///< a bit for each IncidentKind
+  std::array<std::uint32_t, kLanes> unresolved_steps{};
+  std::array<LaneBits, kIncidentKinds> to_report{};  ///< lanes of an incident, by IncidentKind
+  std::array<LaneBits, kIncidentKinds> reported{};   ///< lanes whose incident the handler has heard of
 
+  /// Whether another body has come to the address of this one.
+  bool is_stranger(std::size_t lane) const { return body_identity(*bodies[lane]) != identities[lane]; }
   std::size_t memory_rows() const { return wide_scheme != nullptr ? wide_scheme->memory_rows() : 0; }
   /// Takes the body into a hole as it is; what is not finite is taken to be at rest in the origin.
   void attach(std::size_t lane, btRigidBody& body);
@@ -86,12 +91,8 @@ struct alignas(64) Batch {
 
   BodyRotation rotation(std::size_t lane) const;
 
-  void note(std::size_t lane, IncidentKind kind);
-  bool has_incident() const;
-  /// True if it was noted; it is not any more.
-  bool take_incident(std::size_t lane, IncidentKind kind);
-  /// Whether the handler has not heard of this kind for this body; from now on it has.
-  bool is_first_report(std::size_t lane, IncidentKind kind);
+  void note(std::size_t lane, IncidentKind kind) { to_report[static_cast<std::size_t>(kind)].set(lane); }
+  LaneBits lanes_with_incident() const { return to_report[0] | to_report[1]; }
 };
 
 /// Hands the pose to the motion state of a body that moves, with the R_WB that is no rotation if the scheme

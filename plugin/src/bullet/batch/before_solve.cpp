@@ -1,7 +1,6 @@
-#include "bullet/batch/before_solve.h"
-
+#include "bullet/batch/begin_step.h"
 #include "bullet/batch/scheme_step.h"
-#include "bullet/body/external_changes.h"
+#include "bullet/batch/stages.h"
 #include "bullet/body/locked_axes.h"
 #include "bullet/body/non_finite.h"
 #include "math/mean_angular_velocity.h"
@@ -16,90 +15,41 @@ constexpr int kGyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 
-struct Found {
-  LaneBits changed;  // by somebody else since the library last wrote the body, in more than its velocity
-  LaneBits kicked;   // in its velocity
-  LaneBits finite;
-  LaneBits held;
-};
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void compare_with_written(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch,
-                          Found& found) noexcept {
-  BulletDifferences differences;
-  add_differences(gather_basis(bodies, basis), to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix())),
-                  differences);
-  const BulletRows inverse_B = gather(bodies, inverse_inertia_B);
-  add_differences(inverse_B, batch.inverse_inertia_B, differences);
-  found.changed = ~differences.are_none().bits();
-  const BulletRows omega_W = gather(bodies, angular_velocity);
-  BulletDifferences differences_of_velocity;
-  add_differences(omega_W, batch.written_omega_W, differences_of_velocity);
-  found.kicked = ~differences_of_velocity.are_none().bits();
-  const BulletRows velocity = gather(bodies, linear_velocity);
-  const BulletRows place = gather(bodies, origin);
-  const BulletRows torque_W = gather(bodies, total_torque);
-  const BulletMask finite =
-      are_surely_finite(omega_W, velocity, place, gather(bodies, total_force), torque_W);
-  found.finite = finite.bits();
-  const BulletMask no_torque =
-      (torque_W.x == btScalar(0)) & (torque_W.y == btScalar(0)) & (torque_W.z == btScalar(0));
-  batch.torqued = (batch.torqued & ~lanes) | (lanes & ~no_torque.bits());
-  const BulletMask known = finite & bullet_mask(lanes);
-  batch.linear_velocity = select(known, velocity, batch.linear_velocity);
-  batch.origin = select(known, place, batch.origin);
-  found.held = are_held(inverse_B, gather(bodies, angular_factor)).bits();
-}
-
-// adopt_external_changes for lanes where it is the velocity alone.
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void adopt_kicks(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch) noexcept {
-  const BulletRows omega_W = gather(bodies, angular_velocity);
-  const Vector3Wide kicked_W =
-      velocity_after_kick(to_double(omega_W), to_double(batch.written_omega_W), batch.omega_W);
-  const Vector3Wide L_W =
-      batch.R_WB == nullptr
-          ? formulas::times_inertia_W(Matrix3Wide(batch.q_WB.toRotationMatrix()), batch.inertia_B(), kicked_W)
-          : formulas::angular_momentum_W(*batch.R_WB, batch.inertia_B(), kicked_W);
-  const WideMask mask = wide_mask(lanes);
-  batch.omega_W = select(mask, kicked_W, batch.omega_W);
-  batch.L_W = select(mask, L_W, batch.L_W);
-  batch.written_omega_W = select(bullet_mask(lanes), omega_W, batch.written_omega_W);
-}
-
 // Bullet switches a body off over a bounding box that is not finite.
 bool is_switched_off_by_nan(const btRigidBody& body) {
   return body.getActivationState() == DISABLE_SIMULATION && !is_finite(body);
 }
 
-void sanitize_lane(Batch& batch, std::size_t lane) {
-  sanitize(*batch.bodies[lane], batch.last_written(lane));
-  batch.note(lane, IncidentKind::non_finite_body);
-}
-
-// Lanes whose step begins now. A body that has diverged is Bullet's, but still kept from spreading a NaN.
-LaneBits lanes_to_begin(Batch& batch) {
+// Lanes that move, and whose step predict has not begun.
+LaneBits lanes_to_begin(const Batch& batch) {
   LaneBits lanes;
-  batch.has_strangers = false;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const btRigidBody* body = batch.bodies[lane];
-    if (body == nullptr || batch.in_step[lane]) continue;
-    if (!moves(*body) && !is_switched_off_by_nan(*body)) continue;
-    const bool is_the_same = body_identity(*body) == batch.identities[lane];
-    if (!is_the_same) batch.has_strangers = true;
-    lanes[lane] = is_the_same && !batch.diverged[lane];
-    if (is_the_same && batch.diverged[lane] && !is_finite(*body)) sanitize_lane(batch, lane);
+    if (body == nullptr || batch.begun[lane] || batch.diverged[lane]) continue;
+    lanes[lane] = moves(*body) || is_switched_off_by_nan(*body);
   }
   return lanes;
 }
 
-void take_over(Batch& batch, std::size_t lane, const Found& found, const StepContext& context) {
-  btRigidBody& body = *batch.bodies[lane];
-  if (!is_finite(body)) sanitize_lane(batch, lane);
-  adopt_external_changes(batch, lane, context.bullet.damping_factor(body.getAngularDamping(), context.dt));
-  if (found.finite[lane]) return;
-  set_vector_in_lane(lane, body.getLinearVelocity(), batch.linear_velocity);
-  set_vector_in_lane(lane, body.getWorldTransform().getOrigin(), batch.origin);
+// A diverged body is Bullet's, but still kept from spreading a NaN.
+void sanitize_diverged(Batch& batch) {
+  for (std::size_t lane = 0; lane < kLanes && batch.diverged.any(); ++lane) {
+    if (!batch.diverged[lane] || batch.is_stranger(lane)) continue;
+    const btRigidBody& body = *batch.bodies[lane];
+    if ((moves(body) || is_switched_off_by_nan(body)) && !is_finite(body)) sanitize_lane(batch, lane);
+  }
+}
+
+// Lanes whose body was looked at by begin_step, now or in predict, and is still the same.
+LaneBits lanes_to_solve(Batch& batch) {
+  LaneBits lanes = batch.begun & ~batch.in_solve;
+  batch.has_strangers = false;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (!lanes[lane] || !batch.is_stranger(lane)) continue;
+    batch.has_strangers = true;
+    lanes.reset(lane);
+  }
+  return lanes;
 }
 
 void clear_gyroscopic_flags(Batch& batch, std::size_t lane) {
@@ -109,14 +59,14 @@ void clear_gyroscopic_flags(Batch& batch, std::size_t lane) {
   if (batch.gyroscopic_flags[lane] != 0) body.setFlags(flags & ~kGyroscopicFlags);
 }
 
-void classify(Batch& batch, std::size_t lane, const StepContext& context) {
-  const btRigidBody& body = *batch.bodies[lane];
-  const auto index = static_cast<std::size_t>(body.getWorldArrayIndex());
-  batch.constrained[lane] = index < context.is_constrained.size() && context.is_constrained[index] != 0;
-  batch.given_mean.reset(lane);
-  batch.given_effective.reset(lane);
-  batch.given_torque.reset(lane);
-  batch.unresolved.reset(lane);
+LaneBits constrained_lanes(const Batch& batch, const LaneBits& lanes, const StepContext& context) {
+  LaneBits constrained;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const auto index = static_cast<std::size_t>(batch.world_index[lane]);
+    constrained[lane] =
+        lanes[lane] && index < context.is_constrained.size() && context.is_constrained[index] != 0;
+  }
+  return constrained;
 }
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
@@ -219,36 +169,31 @@ void give_constrained(Batch& batch, const LaneBits& lanes, const StepContext& co
 }  // namespace
 
 void before_solve(Batch& batch, const StepContext& context) noexcept {
-  const LaneBits lanes = lanes_to_begin(batch);
+  if (batch.diverged.any()) sanitize_diverged(batch);
+  const LaneBits beginning = lanes_to_begin(batch);
+  if (beginning.any()) begin_step(batch, beginning, context);
+  const LaneBits lanes = lanes_to_solve(batch);
   if (lanes.none()) return;
-  const BodyPointers bodies = body_pointers(batch, lanes, context.bullet.nobody());
-  Found found;
-  compare_with_written(bodies, lanes, batch, found);
-  LaneBits only_kicked = lanes & found.kicked & found.finite & ~found.changed & ~found.held;
+  batch.in_solve |= lanes;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (!lanes[lane]) continue;
-    if (batch.bodies[lane]->getAngularDamping() != btScalar(0)) only_kicked.reset(lane);
-    const bool is_changed = found.changed[lane] || found.kicked[lane] || !found.finite[lane];
-    if (is_changed && !only_kicked[lane]) take_over(batch, lane, found, context);
-    if (batch.steps[lane] == 0) {
-      batch.start(lane);
-      only_kicked.reset(lane);
-    }
-    clear_gyroscopic_flags(batch, lane);
-    classify(batch, lane, context);
+    if (lanes[lane]) clear_gyroscopic_flags(batch, lane);
   }
-  if (only_kicked.any()) adopt_kicks(bodies, only_kicked, batch);
-  batch.held = (batch.held & ~lanes) | (found.held & lanes);
-  batch.in_step |= lanes;
+  const LaneBits constrained = constrained_lanes(batch, lanes, context);
+  batch.constrained = (batch.constrained & ~lanes) | constrained;
+  for (LaneBits* given :
+       {&batch.given_mean, &batch.given_effective, &batch.given_torque, &batch.unresolved}) {
+    *given &= ~lanes;
+  }
+  const LaneBits looked_at_again = constrained & ~beginning;
+  if (looked_at_again.any()) adopt_changes(batch, looked_at_again, context);
 
-  const LaneBits free_to_turn = lanes & ~batch.held;
-  const LaneBits constrained = free_to_turn & batch.constrained;
-  if (batch.turn_velocity == TurnVelocity::end && constrained.any()) {
-    give_gyroscopic_torque(batch, constrained, context);
-  } else if (batch.turn_velocity == TurnVelocity::start && constrained.any()) {
-    give_start_velocity(batch, constrained, context);
-  } else if (batch.turn_velocity == TurnVelocity::mean && constrained.any()) {
-    give_constrained(batch, constrained, context);
+  const LaneBits turning = constrained & ~batch.held;
+  if (batch.turn_velocity == TurnVelocity::end && turning.any()) {
+    give_gyroscopic_torque(batch, turning, context);
+  } else if (batch.turn_velocity == TurnVelocity::start && turning.any()) {
+    give_start_velocity(batch, turning, context);
+  } else if (batch.turn_velocity == TurnVelocity::mean && turning.any()) {
+    give_constrained(batch, turning, context);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (lanes[lane] && batch.held[lane]) give_held(batch, lane, context);

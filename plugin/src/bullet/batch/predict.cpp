@@ -1,6 +1,8 @@
-#include "bullet/batch/predict.h"
-
+#include "bullet/batch/begin_step.h"
+#include "bullet/batch/stages.h"
 #include "bullet/internals/private_members.h"
+#include "math/sine_cosine.h"
+#include "polhode/rotation_math.h"
 #include "simd/instruction_sets.h"
 
 namespace polhode {
@@ -8,17 +10,21 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// Returns the lanes whose pose is the one written last; the others' prediction is to be made anew.
+// formulas::turn_like_bullet to rounding, without its sine, cosine and division by the speed: past the limit
+// Bullet takes sine and cosine of the limit, keeps the length of omega, and then normalises.
+POLHODE_INLINE QuaternionWide predicted_q_WB(const QuaternionWide& q_WB, const Vector3Wide& omega_W,
+                                             const Wide& dt) {
+  const Wide half_angle2 = omega_W.squaredNorm() * (0.25 * dt * dt);
+  const auto [sinc, cosine] =
+      formulas::sinc_cosine_series<8>(min(half_angle2, Wide(0.25 * kBulletTurnLimit * kBulletTurnLimit)));
+  const Vector3Wide vector = omega_W * (0.5 * dt * sinc);
+  return formulas::normalized(QuaternionWide(cosine, vector.x(), vector.y(), vector.z()) * q_WB);
+}
+
 POLHODE_FOR_EACH_INSTRUCTION_SET
-void predict_poses(const Batch& batch, const BodyPointers& bodies, btScalar dt,
-                   LaneBits& as_written) noexcept {
-  BulletDifferences differences;
-  add_differences(gather_basis(bodies, basis), to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix())),
-                  differences);
-  as_written = differences.are_none().bits();
+void predict_poses(const Batch& batch, const BodyPointers& bodies, btScalar dt) noexcept {
   const Vector3Wide omega_W = to_double(gather(bodies, angular_velocity));
-  const QuaternionWide turned_q_WB =
-      formulas::turn_like_bullet(batch.q_WB, omega_W, Wide(static_cast<double>(dt)));
+  const QuaternionWide turned_q_WB = predicted_q_WB(batch.q_WB, omega_W, Wide(static_cast<double>(dt)));
   const BulletRows place = gather(bodies, origin);
   const BulletRows velocity = gather(bodies, linear_velocity);
   const BulletRows moved = {place.x + velocity.x * dt, place.y + velocity.y * dt, place.z + velocity.z * dt};
@@ -38,20 +44,15 @@ LaneBits predict(Batch& batch, const StepContext& context) noexcept {
   LaneBits lanes;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     btRigidBody* body = batch.bodies[lane];
-    lanes[lane] = body != nullptr && !batch.diverged[lane] && !body->isStaticOrKinematicObject();
+    lanes[lane] = body != nullptr && !batch.diverged[lane] && moves(*body);
     if (!lanes[lane]) continue;
     damp(*body, context.dt);
     batch.may_be_clamped[lane] = body->getCcdSquareMotionThreshold() != btScalar(0);
     if (batch.may_be_clamped[lane]) body->setHitFraction(btScalar(1));  // as Bullet's loop, which may skip it
   }
   if (lanes.none()) return lanes;
-  const BodyPointers bodies = body_pointers(batch, lanes, context.bullet.nobody());
-  LaneBits as_written;
-  predict_poses(batch, bodies, context.dt, as_written);
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (!lanes[lane] || as_written[lane]) continue;
-    bodies[lane]->predictIntegratedTransform(context.dt, bodies[lane]->getInterpolationWorldTransform());
-  }
+  begin_step(batch, lanes, context);
+  predict_poses(batch, body_pointers(batch, lanes, context.bullet.nobody()), context.dt);
   return lanes;
 }
 

@@ -33,17 +33,17 @@ void store(const LaneBits& lanes, const Solved& solved, const StepResult& result
   const BulletMask mask_of_bullet = bullet_mask(lanes);
   batch.written_omega_W = select(mask_of_bullet, to_bullet(result.shown_W), batch.written_omega_W);
   batch.origin = select(mask_of_bullet, solved.origin, batch.origin);
-  batch.linear_velocity = select(mask_of_bullet, solved.linear_velocity, batch.linear_velocity);
 }
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
-void scatter_step(const Batch& batch, const BodyPointers& bodies, const Vector3Wide& mean_W) noexcept {
+void scatter_step(const Batch& batch, const BodyPointers& bodies, const BulletRows& linear_velocity,
+                  const Vector3Wide& mean_W) noexcept {
   const BulletBasis bases = to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix()));
   scatter_transform(bases, batch.origin, bodies, pose);
   scatter_transform(bases, batch.origin, bodies, interpolation_pose);
   scatter_basis(inverse_inertia_basis_W(bases, batch.inverse_inertia_B), bodies, inverse_inertia_tensor_W);
   scatter(batch.written_omega_W, bodies, angular_velocity);
-  scatter(batch.linear_velocity, bodies, interpolation_linear_velocity);
+  scatter(linear_velocity, bodies, interpolation_linear_velocity);
   scatter(to_bullet(mean_W), bodies, interpolation_angular_velocity);
 }
 
@@ -82,7 +82,8 @@ void write_step(Batch& batch, const LaneBits& lanes, PoseIntegratedBy integrator
   good &= lanes;
   store(good, solved, result, batch);
   if (batch.R_WB != nullptr) *batch.R_WB = select(wide_mask(good), result.state.R_WB, *batch.R_WB);
-  scatter_step(batch, body_pointers(batch, good, context.bullet.nobody()), result.mean_W);
+  scatter_step(batch, body_pointers(batch, good, context.bullet.nobody()), solved.linear_velocity,
+               result.mean_W);
   if (integrator == PoseIntegratedBy::bullet) keep_later_kicks(batch, good, solved);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (good[lane]) {

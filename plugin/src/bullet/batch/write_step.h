@@ -13,6 +13,7 @@ struct Solved {
   BulletRows linear_velocity;
   BulletRows origin;  ///< at the end of the step
   LaneBits acted;     ///< omega_W is not what the solver was given
+  LaneBits turned;    ///< the pose is not the one written, or unknown because Bullet has integrated it
   LaneBits finite;
 };
 
@@ -20,8 +21,8 @@ struct Solved {
 struct StepResult {
   WideState state;
   Vector3Wide shown_W;       ///< the velocity that the body is to show
-  LaneBits turns_by_solved;  ///< lanes that turned by the solver's velocity
   Vector3Wide mean_W;        ///< of the turn: by this Bullet interpolates motion states
+  LaneBits turns_by_solved;  ///< lanes that turned by the solver's velocity
 };
 
 /// Writes the result of the lanes to the batch and to Bullet's bodies: the pose, the velocities, and the

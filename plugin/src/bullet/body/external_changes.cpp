@@ -38,18 +38,11 @@ bool adopt_external_changes(const Batch& batch, std::size_t lane, RotationState&
   return true;
 }
 
-void adopt_external_changes(Batch& batch, std::size_t lane, btScalar damping_factor) {
+void adopt_external_changes(Batch& batch, std::size_t lane) {
   RotationState state = batch.state(lane);
-  const btRigidBody& body = *batch.bodies[lane];
-  if (damping_factor != btScalar(1)) {
-    set_vector_in_lane(lane, vector_in_lane(batch.written_omega_W, lane) * damping_factor,
-                       batch.written_omega_W);
-    state.omega_W *= static_cast<double>(damping_factor);
-    state.L_W *= static_cast<double>(damping_factor);
-    batch.set_state(lane, state);
-  }
   if (!adopt_external_changes(batch, lane, state)) return;
   batch.set_state(lane, state);
+  const btRigidBody& body = *batch.bodies[lane];
   set_vector_in_lane(lane, body.getAngularVelocity(), batch.written_omega_W);
   set_vector_in_lane(lane, body.getInvInertiaDiagLocal(), batch.inverse_inertia_B);
 }

@@ -50,9 +50,8 @@ void make_momentum_agree(const Vector3& inertia_B, bool keeps_rotation, Rotation
 /// Brings `state`, that of the lane, in line with what the body says now. Returns false if nothing was changed.
 bool adopt_external_changes(const Batch& batch, std::size_t lane, RotationState& state);
 
-/// The same for the batch itself, before the solve: the damping that Bullet has applied in this step counts
-/// as damping, not as a change.
-void adopt_external_changes(Batch& batch, std::size_t lane, btScalar damping_factor);
+/// The same for the batch itself.
+void adopt_external_changes(Batch& batch, std::size_t lane);
 
 /// Turns the state by a rotation that came from outside. The velocity stays.
 void adopt_external_rotation(const Quaternion& turn_B, const Vector3& inertia_B, bool keeps_rotation,

@@ -21,38 +21,34 @@ inline void prefetch(const void* first, const void* end) {
 
 /// @name Parts of a btRigidBody, in its order of Bullet 3.24
 /// @{
+/// With the activation state, which follows the interpolated pose at a distance.
 inline void prefetch_poses(const btRigidBody& body) {
-  prefetch(&body.getWorldTransform(), &body.getInterpolationAngularVelocity() + 1);
-}
-inline void prefetch_activation(const btRigidBody& body) {
-  constexpr std::size_t kActivation = 2 * sizeof(btCollisionObject) / 3;
-  prefetch(reinterpret_cast<const char*>(&body) + kActivation,
-           reinterpret_cast<const char*>(&body) + kActivation + 1);
+  prefetch(&body.getWorldTransform(), &body.getWorldTransform() + 4);
 }
 inline void prefetch_velocities(const btRigidBody& body) {
-  prefetch(&body.getLinearVelocity(), &body.getAngularVelocity() + 1);
-}
-inline void prefetch_inertia_W(const btRigidBody& body) {
   prefetch(&body.getInvInertiaTensorWorld(), &body.getAngularVelocity() + 1);
 }
-inline void prefetch_forces(const btRigidBody& body) {
-  prefetch(&body.getTotalForce(), &body.getTotalTorque() + 2);
+/// From the velocities to the angular factor.
+inline void prefetch_dynamics(const btRigidBody& body) {
+  prefetch(&body.getLinearVelocity(), &body.getAngularFactor() + 1);
 }
 /// The flags, and the pointer to the motion state.
 inline void prefetch_flags(const btRigidBody& body) {
   const auto* end = reinterpret_cast<const char*>(&body.getAngularFactor() - 2);
   prefetch(end - 2 * sizeof(int), end);
 }
+inline void prefetch_for_motion_state(const btRigidBody& body) {
+  const btTransform* interpolated = &body.getInterpolationWorldTransform();
+  prefetch(interpolated, interpolated + 3);
+  prefetch_flags(body);
+}
+/// @}
+
 /// A motion state of the application's may be of any size; the pose of Bullet's is at its start.
 inline void prefetch_motion_state(const btRigidBody& body) {
   const auto* first = reinterpret_cast<const char*>(body.getMotionState());
   if (first != nullptr) prefetch(first, first + sizeof(btTransform));
 }
-/// From the inverse inertia over forces and flags to the angular factor.
-inline void prefetch_dynamics(const btRigidBody& body) {
-  prefetch(&body.getInvInertiaDiagLocal(), &body.getAngularFactor() + 1);
-}
-/// @}
 
 }  // namespace POLHODE_PRECISION
 }  // namespace polhode

@@ -77,6 +77,11 @@ BodyRegistry::Lane BodyRegistry::lane_at(std::size_t index) const {
   return {families_[place.family].batches[place.number / kLanes].get(), place.number % kLanes};
 }
 
+BodyRegistry::Lane BodyRegistry::lane_at(std::size_t index, const btRigidBody& body) const {
+  if (index >= bodies_.size() || bodies_[index] != &body) return {nullptr, 0};
+  return lane_at(index);
+}
+
 bool BodyRegistry::is_stranger(std::size_t index) const {
   const Place& place = places_[index];
   const Lane lane = lane_at(index);
@@ -84,10 +89,7 @@ bool BodyRegistry::is_stranger(std::size_t index) const {
   return seen != body_identity(*bodies_[index]);
 }
 
-bool BodyRegistry::has_strangers() const {
-  for (const Batch* batch : batches_) {
-    if (batch->has_strangers) return true;
-  }
+bool BodyRegistry::has_strangers_left_to_bullet() const {
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (places_[i].family == kNone && is_stranger(i)) return true;
   }

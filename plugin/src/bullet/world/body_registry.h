@@ -40,13 +40,15 @@ class BodyRegistry {
   };
   /// The place of bodies()[index].
   Lane lane_at(std::size_t index) const;
+  /// The same, but null if that is another body by now.
+  Lane lane_at(std::size_t index, const btRigidBody& body) const;
   /// The place of a body that is alive. A stranger is looked at afresh.
   Lane find(const btRigidBody& body, const SchemeChoices& choices);
 
   /// True if another body than the one seen has come to the address of bodies()[index].
   bool is_stranger(std::size_t index) const;
-  /// True for any of them; the bodies in batches are compared by before_solve.
-  bool has_strangers() const;
+  /// True for any of those that are in no batch.
+  bool has_strangers_left_to_bullet() const;
 
  private:
   // The bodies of one scheme, numbered from 0 to count - 1, eight to a batch.

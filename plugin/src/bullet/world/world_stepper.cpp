@@ -2,18 +2,16 @@
 
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
 
-#include <atomic>
 #include <mutex>
 #include <stdexcept>
 #include <string>
 #include <unordered_set>
 #include <utility>
 
-#include "bullet/batch/after_solve.h"
-#include "bullet/batch/before_solve.h"
-#include "bullet/batch/predict.h"
+#include "bullet/batch/stages.h"
 #include "bullet/body/clamped_step.h"
 #include "bullet/body/non_finite.h"
+#include "bullet/internals/body_list.h"
 #include "bullet/internals/prefetch.h"
 #include "bullet/world/constrained_bodies.h"
 #include "bullet/world/parallel_loop.h"
@@ -39,6 +37,34 @@ btDiscreteDynamicsWorld& require_discrete(btDynamicsWorld& world) {
       "btMultiBodyDynamicsWorld and classes derived from them");
 }
 
+// What each stage needs of a batch and its bodies, to be fetched while the one before is computed.
+void prefetch_for_prediction(const Batch& batch) {
+  prefetch(&batch, &batch + 1);
+  for (const btRigidBody* body : batch.bodies) {
+    if (body == nullptr) continue;
+    prefetch_poses(*body);
+    prefetch_dynamics(*body);
+  }
+}
+
+void prefetch_for_solve(const Batch& batch) {
+  prefetch(&batch, &batch + 1);
+  for (const btRigidBody* body : batch.bodies) {
+    if (body != nullptr) prefetch_flags(*body);
+  }
+}
+
+void prefetch_for_integration(const Batch& batch) {
+  prefetch(&batch, &batch + 1);
+  prefetch(batch.memory.get(), batch.memory.get() + batch.memory_rows());
+  for (const btRigidBody* body : batch.bodies) {
+    if (body == nullptr) continue;
+    prefetch_poses(*body);
+    prefetch_velocities(*body);
+    prefetch_flags(*body);
+  }
+}
+
 // Those of the lanes that continuous collision detection will not stop in this step.
 LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& context) {
   for (std::size_t lane = 0; lane < kLanes && batch.may_be_clamped.any(); ++lane) {
@@ -46,34 +72,6 @@ LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& contex
       lanes.reset(lane);
   }
   return lanes;
-}
-
-void prefetch_nothing(const btRigidBody& /*body*/) {}
-
-void prefetch_for_prediction(const btRigidBody& body) {
-  prefetch_poses(body);
-  prefetch_velocities(body);
-  prefetch_forces(body);
-}
-
-void prefetch_for_solve(const btRigidBody& body) {
-  prefetch(&body.getWorldTransform(), &body.getWorldTransform() + 1);
-  prefetch_activation(body);
-  prefetch_velocities(body);
-  prefetch_dynamics(body);
-}
-
-void prefetch_for_integration(const btRigidBody& body) {
-  prefetch_poses(body);
-  prefetch_activation(body);
-  prefetch_inertia_W(body);
-  prefetch_flags(body);
-}
-
-void prefetch_for_motion_state(const btRigidBody& body) {
-  prefetch(&body.getInterpolationWorldTransform(), &body.getInterpolationWorldTransform() + 1);
-  prefetch_activation(body);
-  prefetch_flags(body);
 }
 
 }  // namespace
@@ -168,49 +166,58 @@ BulletTurn& WorldStepper::bullet_of_this_thread() {
 }
 
 template <class Prefetch, class Function>
-void WorldStepper::for_batches(btScalar dt, const Prefetch& prefetch_body, const Function& function) {
+void WorldStepper::for_batches(btScalar dt, const Prefetch& prefetch_batch, const Function& function) {
   const bool takes_effective_inertia = world_->getConstraintSolver()->getSolverType() != BT_MLCP_SOLVER;
   const std::vector<Batch*>& batches = registry_.batches();
   for_parts(batches.size(), kBatchesInPart, [&](std::size_t first, std::size_t last) {
     const StepContext context = {dt, is_constrained_, takes_effective_inertia, bullet_of_this_thread()};
     for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t lane = 0; lane < kLanes && i + 1 < last; ++lane) {
-        if (batches[i + 1]->bodies[lane] != nullptr) prefetch_body(*batches[i + 1]->bodies[lane]);
-      }
+      if (i + 1 < last) prefetch_batch(*batches[i + 1]);
       function(*batches[i], context);
+      if (batches[i]->lanes_with_incident().any()) has_incident_ = true;
+      if (batches[i]->has_strangers) has_strangers_ = true;
     }
   });
 }
 
 template <class Prefetch, class Function>
-void WorldStepper::share_with_bullet(btScalar dt, const Prefetch& prefetch_body, const Function& function,
+void WorldStepper::share_with_bullet(btScalar dt, const Prefetch& prefetch_batch, const Function& function,
                                      const BulletsStage& bullet) {
-  synchronize();
   std::atomic<std::size_t> count{0};
-  for_batches(dt, prefetch_body, [&](Batch& batch, const StepContext& context) {
+  for_batches(dt, prefetch_batch, [&](Batch& batch, const StepContext& context) {
     batch.of_library = function(batch, context);
     count.fetch_add(batch.of_library.count(), std::memory_order_relaxed);
   });
-  shown_.clear();
-  if (count < registry_.bodies().size()) {
-    for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
-      const BodyRegistry::Lane place = registry_.lane_at(i);
-      if (place.batch == nullptr || !place.batch->of_library[place.lane])
-        shown_.push_back(registry_.bodies()[i]);
-    }
+  left_to_bullet_.clear();
+  for (std::size_t i = 0; i < registry_.bodies().size() && count < registry_.bodies().size(); ++i) {
+    const BodyRegistry::Lane place = registry_.lane_at(i);
+    if (place.batch == nullptr || !place.batch->of_library[place.lane])
+      left_to_bullet_.push_back(registry_.bodies()[i]);
   }
-  hidden_.hide_all_but(shown_, bodies(), bullet);
+  run_for(left_to_bullet_, bodies(), bullet);
 }
 
 void WorldStepper::predict_unconstrained_motion(btScalar dt, const BulletsStage& bullet) {
+  synchronize();
+  some_may_be_clamped_ = false;
   share_with_bullet(
       dt, prefetch_for_prediction,
-      [](Batch& batch, const StepContext& context) { return predict(batch, context); }, bullet);
+      [this](Batch& batch, const StepContext& context) {
+        const LaneBits lanes = predict(batch, context);
+        if (batch.may_be_clamped.any()) some_may_be_clamped_ = true;
+        return lanes;
+      },
+      bullet);
 }
 
+// Right after predict_unconstrained_motion.
 void WorldStepper::create_predictive_contacts(btScalar dt, const BulletsStage& bullet) {
+  if (!some_may_be_clamped_) {
+    run_for(left_to_bullet_, bodies(), bullet);
+    return;
+  }
   share_with_bullet(
-      dt, prefetch_nothing,
+      dt, prefetch_for_prediction,
       [](Batch& batch, const StepContext& context) { return unclamped(batch, batch.of_library, context); },
       bullet);
 }
@@ -225,24 +232,23 @@ void WorldStepper::before_solve() noexcept {
   }
   find_constrained_bodies(*world_, is_constrained_);
   const btScalar dt = world_->getDispatchInfo().m_timeStep;
-  begin_batches(dt);
-  if (registry_.has_strangers()) {
+  const auto before_solve_of = [](Batch& batch, const StepContext& context) {
+    polhode::before_solve(batch, context);
+  };
+  has_strangers_ = registry_.has_strangers_left_to_bullet();
+  for_batches(dt, prefetch_for_solve, before_solve_of);
+  if (has_strangers_) {
     registry_.settle(choices_);
-    begin_batches(dt);
+    for_batches(dt, prefetch_for_solve, before_solve_of);
   }
   forget_contacts_of_sanitized();
-}
-
-void WorldStepper::begin_batches(btScalar dt) {
-  for_batches(dt, prefetch_for_solve,
-              [](Batch& batch, const StepContext& context) { polhode::before_solve(batch, context); });
 }
 
 void WorldStepper::after_integration(btScalar dt) noexcept {
   if (world_ == nullptr || !claim_.holds()) return;
   synchronize();
   for_batches(dt, prefetch_for_integration, [](Batch& batch, const StepContext& context) {
-    after_solve(batch, batch.in_step, PoseIntegratedBy::bullet, context);
+    after_solve(batch, batch.in_solve, PoseIntegratedBy::bullet, context);
   });
   report();
 }
@@ -255,12 +261,12 @@ void WorldStepper::integrate_transforms(btScalar dt, const BulletsStage& bullet)
     return;
   }
   const auto integrate = [](Batch& batch, const StepContext& context) {
-    const LaneBits lanes = unclamped(batch, batch.in_step, context);
+    const LaneBits lanes = unclamped(batch, batch.in_solve, context);
     after_solve(batch, lanes, PoseIntegratedBy::library, context);
     return lanes;
   };
   share_with_bullet(dt, prefetch_for_integration, integrate, bullet);
-  if (shown_.empty()) {
+  if (left_to_bullet_.empty()) {
     report();
   } else {
     after_integration(dt);
@@ -279,13 +285,11 @@ void WorldStepper::synchronize_motion_states(const BulletsStage& bullet) {
     if (i + 2 * kAhead < bodies().size()) prefetch_for_motion_state(*bodies()[i + 2 * kAhead]);
     if (i + kAhead < bodies().size()) prefetch_motion_state(*bodies()[i + kAhead]);
     btRigidBody& body = *bodies()[i];
-    const auto index = static_cast<std::size_t>(i);
-    const bool is_known = index < registry_.bodies().size() && registry_.bodies()[index] == &body;
-    const BodyRegistry::Lane place = is_known ? registry_.lane_at(index) : BodyRegistry::Lane{nullptr, 0};
-    if (place.batch == nullptr) {
-      if (body.isActive()) world_->synchronizeSingleMotionState(&body);
-    } else {
+    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), body);
+    if (place.batch != nullptr) {
       show(*place.batch, place.lane, body);
+    } else if (body.isActive()) {
+      world_->synchronizeSingleMotionState(&body);
     }
   }
 }
@@ -293,40 +297,39 @@ void WorldStepper::synchronize_motion_states(const BulletsStage& bullet) {
 void WorldStepper::show_swollen_bodies() {
   if (world_ == nullptr || !claim_.holds()) return;
   for (int i = 0; i < bodies().size(); ++i) {
-    const auto index = static_cast<std::size_t>(i);
-    if (index >= registry_.bodies().size() || registry_.bodies()[index] != bodies()[i]) continue;
-    const BodyRegistry::Lane place = registry_.lane_at(index);
+    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), *bodies()[i]);
     if (place.batch != nullptr && !place.batch->keeps_rotation) show(*place.batch, place.lane, *bodies()[i]);
   }
 }
 
 // Collision detection went by where such a body was: its contacts may hold numbers that are not finite.
 void WorldStepper::forget_contacts_of_sanitized() {
-  for (const Batch* batch : registry_.batches()) {
-    if (!batch->has_incident()) continue;
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (batch->incident[lane] != 0) forget_contacts(*world_->getDispatcher(), *batch->bodies[lane]);
-    }
+  for (std::size_t i = 0; i < registry_.bodies().size() && has_incident_; ++i) {
+    const BodyRegistry::Lane place = registry_.lane_at(i);
+    if (place.batch != nullptr && place.batch->lanes_with_incident()[place.lane])
+      forget_contacts(*world_->getDispatcher(), *registry_.bodies()[i]);
   }
 }
 
 // When every body is done, since the handler may release, reassign or remove bodies.
 void WorldStepper::report() {
+  if (!has_incident_) return;
+  has_incident_ = false;
   std::vector<Incident> list;
-  bool any = false;
-  for (const Batch* batch : registry_.batches()) any = any || batch->has_incident();
-  if (!any) return;
   for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
     const BodyRegistry::Lane place = registry_.lane_at(i);
     if (place.batch == nullptr) continue;
     btRigidBody& body = *registry_.bodies()[i];
     for (const IncidentKind kind : {IncidentKind::non_finite_body, IncidentKind::scheme_diverged}) {
-      if (!place.batch->take_incident(place.lane, kind)) continue;
+      LaneBits& to_report = place.batch->to_report[static_cast<std::size_t>(kind)];
+      LaneBits& reported = place.batch->reported[static_cast<std::size_t>(kind)];
+      if (!to_report[place.lane]) continue;
+      to_report.reset(place.lane);
       ++incidents;
       if (kind == IncidentKind::non_finite_body) forget_contacts(*world_->getDispatcher(), body);
-      if (handler && place.batch->is_first_report(place.lane, kind)) {
-        list.push_back({kind, &body, place.batch->steps[place.lane]});
-      }
+      if (!handler || reported[place.lane]) continue;
+      reported.set(place.lane);
+      list.push_back({kind, &body, place.batch->steps[place.lane]});
     }
   }
   const IncidentHandler present_handler = handler;

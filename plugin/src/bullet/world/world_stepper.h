@@ -3,12 +3,12 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <array>
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <vector>
 
 #include "bullet/batch/step_context.h"
-#include "bullet/internals/hidden_bodies.h"
 #include "bullet/world/body_registry.h"
 #include "bullet/world/world_claim.h"
 
@@ -60,16 +60,14 @@ class WorldStepper {
   BodyRegistry::Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
   void synchronize();
   void restart(btRigidBody& body);
-  void mark_constrained_bodies();
   BulletTurn& bullet_of_this_thread();
-  /// function(batch, context) for each batch; prefetch_body(body) for the bodies of the next one.
+  /// function(batch, context) for each batch, on all threads; prefetch_batch(batch) for the next one.
   template <class Prefetch, class Function>
-  void for_batches(btScalar dt, const Prefetch& prefetch_body, const Function& function);
+  void for_batches(btScalar dt, const Prefetch& prefetch_batch, const Function& function);
   /// lanes = function(batch, context) are the library's in this stage: Bullet's loop skips their bodies.
   template <class Prefetch, class Function>
-  void share_with_bullet(btScalar dt, const Prefetch& prefetch_body, const Function& function,
+  void share_with_bullet(btScalar dt, const Prefetch& prefetch_batch, const Function& function,
                          const BulletsStage& bullet);
-  void begin_batches(btScalar dt);
   void forget_contacts_of_sanitized();
   void report();
 
@@ -79,8 +77,11 @@ class WorldStepper {
   BodyRegistry registry_;
   std::vector<char> is_constrained_;  // by btCollisionObject::getWorldArrayIndex
   std::array<std::unique_ptr<BulletTurn>, BT_MAX_THREAD_COUNT> bullet_of_threads_;
-  std::vector<btRigidBody*> shown_;  // to Bullet's loop
-  HiddenBodies hidden_;
+  std::vector<btRigidBody*> left_to_bullet_;  // in the present stage
+  // Set from all threads.
+  std::atomic<bool> some_may_be_clamped_{false};
+  std::atomic<bool> has_incident_{false};
+  std::atomic<bool> has_strangers_{false};
 };
 
 }  // namespace POLHODE_PRECISION

@@ -1,0 +1,123 @@
+#include "bullet/batch/begin_step.h"
+
+#include "bullet/body/external_changes.h"
+#include "bullet/body/locked_axes.h"
+#include "bullet/body/non_finite.h"
+#include "simd/instruction_sets.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+namespace {
+
+struct Found {
+  LaneBits changed;  // by somebody else since the library last wrote the body, in more than its velocity
+  LaneBits kicked;   // in its velocity
+  LaneBits finite;
+  LaneBits held;
+};
+
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void compare_with_written(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch,
+                          Found& found) noexcept {
+  BulletDifferences differences;
+  add_differences(gather_basis(bodies, basis), to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix())),
+                  differences);
+  const BulletRows inverse_B = gather(bodies, inverse_inertia_B);
+  add_differences(inverse_B, batch.inverse_inertia_B, differences);
+  found.changed = ~differences.are_none().bits();
+  const BulletRows omega_W = gather(bodies, angular_velocity);
+  BulletDifferences differences_of_velocity;
+  add_differences(omega_W, batch.written_omega_W, differences_of_velocity);
+  found.kicked = ~differences_of_velocity.are_none().bits();
+  const BulletRows place = gather(bodies, origin);
+  const BulletRows torque_W = gather(bodies, total_torque);
+  const BulletMask finite = are_surely_finite(omega_W, gather(bodies, linear_velocity), place,
+                                              gather(bodies, total_force), torque_W);
+  found.finite = finite.bits();
+  const BulletMask no_torque =
+      (torque_W.x == btScalar(0)) & (torque_W.y == btScalar(0)) & (torque_W.z == btScalar(0));
+  batch.torqued = (batch.torqued & ~lanes) | (lanes & ~no_torque.bits());
+  batch.origin = select(finite & bullet_mask(lanes), place, batch.origin);
+  found.held = are_held(inverse_B, gather(bodies, angular_factor)).bits();
+}
+
+// adopt_external_changes for lanes where it is the velocity alone.
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void adopt_kicks(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch) noexcept {
+  const BulletRows omega_W = gather(bodies, angular_velocity);
+  const Vector3Wide kicked_W =
+      velocity_after_kick(to_double(omega_W), to_double(batch.written_omega_W), batch.omega_W);
+  const Vector3Wide L_W =
+      batch.R_WB == nullptr
+          ? formulas::times_inertia_W(Matrix3Wide(batch.q_WB.toRotationMatrix()), batch.inertia_B(), kicked_W)
+          : formulas::angular_momentum_W(*batch.R_WB, batch.inertia_B(), kicked_W);
+  const WideMask mask = wide_mask(lanes);
+  batch.omega_W = select(mask, kicked_W, batch.omega_W);
+  batch.L_W = select(mask, L_W, batch.L_W);
+  batch.written_omega_W = select(bullet_mask(lanes), omega_W, batch.written_omega_W);
+}
+
+// Bullet has multiplied the velocity by the factor: that is damping, not a change by somebody else.
+POLHODE_FOR_EACH_INSTRUCTION_SET
+void scale_velocity(const LaneBits& lanes, const BulletWide& factor, Batch& batch) noexcept {
+  const BulletRows& written_W = batch.written_omega_W;
+  const BulletRows damped_W = {written_W.x * factor, written_W.y * factor, written_W.z * factor};
+  batch.written_omega_W = select(bullet_mask(lanes), damped_W, written_W);
+  const WideMask mask = wide_mask(lanes);
+  const Wide factor_of_state = Wide::converted(factor);
+  batch.omega_W = select(mask, Vector3Wide(batch.omega_W * factor_of_state), batch.omega_W);
+  batch.L_W = select(mask, Vector3Wide(batch.L_W * factor_of_state), batch.L_W);
+}
+
+void adopt_damping(Batch& batch, const LaneBits& lanes, const StepContext& context) {
+  LaneBits damped;
+  BulletWide factor = btScalar(1);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (!lanes[lane] || batch.bodies[lane]->getAngularDamping() == btScalar(0)) continue;
+    damped.set(lane);
+    factor.set(lane, context.bullet.damping_factor(batch.bodies[lane]->getAngularDamping(), context.dt));
+  }
+  if (damped.any()) scale_velocity(damped, factor, batch);
+}
+
+void take_over(Batch& batch, std::size_t lane) {
+  btRigidBody& body = *batch.bodies[lane];
+  if (!is_finite(body)) sanitize_lane(batch, lane);
+  set_vector_in_lane(lane, body.getWorldTransform().getOrigin(), batch.origin);
+  adopt_external_changes(batch, lane);
+}
+
+}  // namespace
+
+void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& context) {
+  const BodyPointers bodies = body_pointers(batch, lanes, context.bullet.nobody());
+  Found found;
+  compare_with_written(bodies, lanes, batch, found);
+  const LaneBits only_kicked = lanes & found.kicked & found.finite & ~found.changed & ~found.held;
+  const LaneBits others = lanes & (found.changed | found.kicked | ~found.finite) & ~only_kicked;
+  if (only_kicked.any()) adopt_kicks(bodies, only_kicked, batch);
+  for (std::size_t lane = 0; lane < kLanes && others.any(); ++lane) {
+    if (others[lane]) take_over(batch, lane);
+  }
+  batch.held = (batch.held & ~lanes) | (found.held & lanes);
+}
+
+void begin_step(Batch& batch, const LaneBits& lanes, const StepContext& context) noexcept {
+  adopt_damping(batch, lanes, context);
+  adopt_changes(batch, lanes, context);
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (!lanes[lane]) continue;
+    if (batch.steps[lane] == 0) batch.start(lane);
+    batch.world_index[lane] = batch.bodies[lane]->getWorldArrayIndex();
+  }
+  batch.begun |= lanes;
+}
+
+void sanitize_lane(Batch& batch, std::size_t lane) {
+  sanitize(*batch.bodies[lane], batch.last_written(lane));
+  batch.note(lane, IncidentKind::non_finite_body);
+}
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode
