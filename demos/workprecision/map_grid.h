@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "record/contender.h"
-#include "workprecision/axes.h"
 #include "workprecision/cell_map.h"
 #include "workprecision/kernel.h"
 
@@ -16,16 +14,14 @@ enum class SpinStart {
   generic,      ///< along (3, 2, 4) in body axes
 };
 
-/// What is mapped: for each contender a cell for each pair of |omega| dt and inertia ratio I_3/I_1.
+/// For each contender a cell for each pair of |omega| dt and inertia ratio, |omega| dt by |omega| dt.
 struct MapGrid : CellMap {
-  std::vector<Contender> contenders;
-  LogarithmicAxis omega_dt{0.01, 3.0, 48};
-  LogarithmicAxis inertia_ratio{1.1, 20.0, 24};
+  MapGrid() : CellMap({}, {0.01, 3.0, 48}, {1.1, 20.0, 24}) {}
+
   std::int64_t steps = 1000;
   SpinStart start = SpinStart::middle_axis;
 
-  /// Contender by contender, in each of them |omega| dt by |omega| dt.
-  std::int64_t cell_count() const override;
+  std::int64_t cells_of_each() const override { return omega_dt.count * inertia_ratio.count; }
   /// The largest |E/E0 - 1|, up to the divergence if there was one.
   std::size_t figure_count() const override { return 1; }
   CellResult computed(std::int64_t index) const override;
@@ -35,6 +31,9 @@ struct MapGrid : CellMap {
   std::string json(const std::vector<CellResult>& results) const override;
   /// Per contender, how much of the grid stayed sound and how well.
   std::string summary(const std::vector<CellResult>& results) const override;
+
+ private:
+  nlohmann::ordered_json figures_json(const CellResult& result) const override;
 };
 
 struct MapCell {

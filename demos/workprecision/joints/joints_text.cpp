@@ -94,33 +94,19 @@ std::string JointsGrid::csv(const std::vector<CellResult>& results) const {
 }
 
 std::string JointsGrid::json(const std::vector<CellResult>& results) const {
-  Json map = Json::parse(description());
-  map.erase("journal");
-  map["omega_dt"] = axis_values_json(omega_dt);
-  map["inertia_ratio"] = axis_values_json(inertia_ratio);
+  Json map = cells_json(results);
   map["tilt"] = axis_values_json(tilt);
-  Json list = Json::array();
-  for (const Contender& contender : contenders) {
-    Json entry = {{"name", contender.name}};
-    for (const char* key : {"joint_error", "energy_gain", "motor_speed_error", "diverged_at_step"}) {
-      entry[key] = Json::array();
-    }
-    list.push_back(entry);
-  }
-  for (const CellResult& result : results) {
-    const JointCell cell = joint_cell_at(*this, result.index);
-    const WrittenFigures figures = figures_of(result, cell.kind);
-    Json& contender = list[cell.contender];
-    contender["joint_error"].push_back(json_value(figures.joint_error));
-    contender["energy_gain"].push_back(json_value(figures.energy_gain));
-    contender["motor_speed_error"].push_back(json_value(figures.speed_error));
-    contender["diverged_at_step"].push_back(diverged(result) ? Json(result.diverged_step) : Json(nullptr));
-  }
-  map["contenders"] = list;
   for (const JointsVerdict& verdict : joints_verdicts(*this, results)) {
     map["verdicts"].push_back(verdict_json(verdict));
   }
   return map.dump() + "\n";
+}
+
+Json JointsGrid::figures_json(const CellResult& result) const {
+  const WrittenFigures figures = figures_of(result, joint_cell_at(*this, result.index).kind);
+  return {{"joint_error", json_value(figures.joint_error)},
+          {"energy_gain", json_value(figures.energy_gain)},
+          {"motor_speed_error", json_value(figures.speed_error)}};
 }
 
 std::string JointsGrid::summary(const std::vector<CellResult>& results) const {
