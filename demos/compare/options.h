@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// What the command line asks for.
+/// Holds the options of polhode_compare's command line.
 struct Options {
   bool list = false;
   std::string scenario = "dzhanibekov";

@@ -11,8 +11,8 @@ namespace polhode::demos {
 /// Bullet's ways to treat the gyroscopic term, btRigidBodyFlags.
 enum class BulletMode { none, explicit_force, implicit_world, implicit_body };
 
-/// Who rotates the bodies of a run: one of the library's schemes, or Bullet itself in a world without the
-/// library.
+/// Names what rotates the bodies of a run: one of the library's schemes, or Bullet itself in a world without
+/// the library.
 struct Contender {
   std::string name;
   std::string summary;

@@ -9,8 +9,8 @@
 #include "polhode/rotation_state.h"
 #include "scenario/range.h"
 
-/// What a scenario file says, in SI units; demos/README.md documents the file's keys. Frames: W the world, B
-/// the body (origin in its centre of mass, axes along its principal axes).
+/// The content of a scenario file, in SI units; demos/README.md documents the file's keys. Frames: W the
+/// world, B the body (origin in its centre of mass, axes along its principal axes).
 namespace polhode::demos {
 
 struct Sphere {

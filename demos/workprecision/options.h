@@ -12,7 +12,7 @@
 
 namespace polhode::demos {
 
-/// Where a command's results go, besides stdout.
+/// The files that a command writes, besides stdout.
 struct Outputs {
   std::optional<std::filesystem::path> csv;
   std::optional<std::filesystem::path> json;
@@ -38,7 +38,7 @@ struct CostOptions {
   Outputs outputs;
 };
 
-/// How a map is computed and where it goes: nothing that its cells depend on.
+/// How a map is computed and where it is written. The cells do not depend on it.
 struct MapRun {
   std::int64_t threads = 0;  ///< 0: as many as there are cores, or one under MPI
   bool restart = false;

@@ -4,8 +4,8 @@
 
 namespace polhode::benchmarks {
 
-/// Of this process: what goes through operator new, and Bullet's memory once count_heap_of_bullet was called.
-/// What calls malloc by itself is not in it.
+/// Counts the heap use of this process through operator new, and Bullet's memory once count_heap_of_bullet
+/// was called. Direct calls of malloc are not counted.
 struct HeapCount {
   std::int64_t live_bytes = 0;   ///< as they were asked for
   std::int64_t allocations = 0;  ///< since the start

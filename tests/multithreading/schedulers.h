@@ -8,7 +8,8 @@
 
 namespace polhode::testing {
 
-/// What btParallelFor runs on while this lives. At most one at a time, made in the main thread.
+/// Sets the scheduler that btParallelFor runs on while this object lives. At most one exists at a time, made
+/// in the main thread.
 class ActiveScheduler {
  public:
   explicit ActiveScheduler(std::shared_ptr<btITaskScheduler> scheduler) : scheduler_(std::move(scheduler)) {

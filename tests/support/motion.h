@@ -5,7 +5,7 @@
 #include "polhode/bullet/conversions.h"
 #include "polhode/rotation_math.h"
 
-/// What tests ask of a Bullet body, in double precision.
+/// Reads a Bullet body's motion, in double precision.
 namespace polhode::testing {
 
 inline Matrix3 basis_of(const btRigidBody& body) {

@@ -11,7 +11,7 @@
 
 namespace polhode::demos {
 
-/// What a simulation looks like.
+/// Draws a simulation.
 class Scene {
  public:
   explicit Scene(const Simulation& simulation);

@@ -8,7 +8,7 @@
 
 namespace polhode::demos {
 
-/// Where a body that is not recorded is.
+/// The place and orientation of a body that is not recorded.
 struct Pose {
   Matrix3 R_WB = Matrix3::Identity();
   Vector3 position_W = Vector3::Zero();

@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// What is plotted over time.
+/// The quantities that are plotted over time.
 enum class Quantity {
   energy,
   energy_x,

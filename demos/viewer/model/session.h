@@ -12,11 +12,11 @@
 
 namespace polhode::demos {
 
-/// What a key or a button asks for.
+/// The actions of keys and buttons.
 enum class Action { run_or_pause, step, step_back, reset, faster, slower };
 
-/// What a user does with a simulation: lets it play, pauses, steps, starts it over or changes it. What is
-/// worth saying about it is in notice().
+/// Does what a user asks of a simulation: plays, pauses, steps, starts over, changes it. notice() tells the
+/// user about it.
 class Session {
  public:
   /// @throws std::invalid_argument for a start that start_motion refuses.
@@ -40,7 +40,7 @@ class Session {
   void restart(const Scenario& scenario, const std::vector<Contender>& contenders, const std::string& reason);
 
   const Simulation& simulation() const { return *simulation_; }
-  /// How many steps the recording has that is replayed, 0 without one.
+  /// Returns the number of steps of the recording that is replayed, 0 without one.
   std::int64_t replayed_steps() const { return replayed_ ? replayed_->steps() : 0; }
   const std::vector<Contender>& contenders() const { return contenders_; }
   PlaybackClock& clock() { return clock_; }

@@ -9,7 +9,8 @@
 
 namespace polhode::demos {
 
-/// Schemes of these names, `exact` if there are none, and Bullet's four modes, which they are held against.
+/// Returns the schemes of these names, or `exact` if there are none, and then Bullet's four modes for
+/// comparison.
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice
 std::vector<Contender> schemes_and_bullet(const std::vector<std::string>& scheme_names);
 
@@ -26,14 +27,16 @@ struct JointsGrid : CellMap {
   std::int64_t steps() const;
 
   std::int64_t cells_of_each() const override;
-  /// Joint error, energy gain and a motor's speed error, as in JointMotion; all 0 if it diverged.
+  /// Joint error, energy gain and a motor's speed error, as in JointMotion; all are 0 in a cell that
+  /// diverged.
   std::size_t figure_count() const override { return 3; }
   CellResult computed(std::int64_t index) const override;
   std::string description() const override;
   std::int64_t cells_in_round() const override;
   std::string csv(const std::vector<CellResult>& results) const override;
   std::string json(const std::vector<CellResult>& results) const override;
-  /// A table of the worst, and a line for each scheme: in how many cells it is worse than Bullet's default.
+  /// Returns a table of the worst figures, and a line for each scheme: in how many cells it is worse than
+  /// Bullet's default.
   std::string summary(const std::vector<CellResult>& results) const override;
 
  private:
@@ -50,7 +53,8 @@ struct JointCell {
 
 JointCell joint_cell_at(const JointsGrid& grid, std::int64_t index);
 
-/// The figures of a cell that did not diverge. A motor works on its body: there is no energy to hold it to.
+/// The figures of a cell that did not diverge. A motor's energy gain means nothing: the motor works on its
+/// body.
 inline double joint_error(const CellResult& result) {
   return result.figures[0];
 }

@@ -118,7 +118,7 @@ TEST(Compare, WritesEveryStepWithAllDigits) {
   }
 }
 
-// What the report's page is given, without the page.
+// Returns the data that the report's page is given, without the page.
 nlohmann::json report_data(const std::string& html) {
   const std::string opening = "id=\"report-data\">";
   const std::size_t start = html.find(opening) + opening.size();

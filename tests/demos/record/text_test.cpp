@@ -1,4 +1,4 @@
-// What a comparison looks like as table, CSV and JSON.
+// A comparison as table, CSV and JSON.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

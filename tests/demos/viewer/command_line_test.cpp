@@ -51,7 +51,7 @@ std::vector<std::string> golden_arguments(const std::string& scenario, const std
           "--teaching", "--no-panels", "--screenshot", file};
 }
 
-/// Of the pixels, by more than edges that are smoothed in another way do.
+/// Returns the part of the pixels that differ by more than edges that are smoothed in another way.
 double part_that_differs(const Picture& a, const Picture& b) {
   constexpr int kMostOfAChannel = 48;
   int differing = 0;

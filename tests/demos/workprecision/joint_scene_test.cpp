@@ -1,5 +1,5 @@
-// What a joint's error and energy are, on scenes that are disturbed by a known amount; and how Bullet's plain
-// integration, which needs no library, does on each.
+// A joint's error and energy, on scenes that are disturbed by a known amount, and Bullet's plain integration
+// of each, which does not involve the library.
 #include "workprecision/joints/joint_scene.h"
 
 #include <gtest/gtest.h>

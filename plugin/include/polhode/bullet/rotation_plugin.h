@@ -37,12 +37,12 @@ class RotationPlugin final {
 
   /// Gives every body back to Bullet and leaves the world; choices, default scheme and handler are kept. Does
   /// nothing if not attached.
-  /// Not from within a step: the action after the plugin's would be skipped in it.
+  /// Do not call it within a step: the action after the plugin's would be skipped.
   void detach();
   /// Attaches again to the same world. Does nothing if attached.
   /// @throws std::invalid_argument as the constructor; std::logic_error if the world is gone.
   void attach();
-  /// Whether bodies are rotated by their schemes now.
+  /// Returns true while bodies are rotated by their schemes.
   bool attached() const;
 
  private:
