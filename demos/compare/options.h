@@ -20,7 +20,7 @@ struct Options {
   std::string command;  ///< the whole command line, as a shell would take it
 };
 
-/// Nothing if the command line asked for --help or --version, which is then printed.
+/// Returns the options, or nothing if the command line asked for --help or --version, which is then printed.
 /// @throws std::invalid_argument that says what is wrong and what is valid
 std::optional<Options> parse_options(int argument_count, char** arguments);
 

@@ -19,13 +19,13 @@ struct Contender {
   std::variant<SchemePointer, BulletMode> method;
 };
 
-/// Every registered scheme, then Bullet's modes.
+/// Returns every registered scheme, then Bullet's modes.
 std::vector<Contender> all_contenders();
 
 /// `exact`, the handout's four schemes and Bullet's modes.
 std::vector<Contender> default_contenders();
 
-/// Those of these names, in this order.
+/// Returns the contenders of these names, in this order.
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice.
 std::vector<Contender> find_contenders(const std::vector<std::string>& names);
 

@@ -82,8 +82,8 @@ struct Scenario {
   double dt = 0.0;
   double duration = 0.0;
 
-  /// Nothing exerts a torque on `body` about its centre of mass, and nothing can touch it. Gravity exerts
-  /// none.
+  /// Returns true if nothing can touch `body` or exert a torque on it about its centre of mass. Gravity
+  /// exerts none.
   bool is_torque_free() const;
 };
 

@@ -44,33 +44,33 @@ class CellMap {
 
   /// The cells are indexed contender by contender.
   std::int64_t cell_count() const { return static_cast<std::int64_t>(contenders.size()) * cells_of_each(); }
-  /// The number of cells of one contender.
+  /// Returns the number of cells of one contender.
   virtual std::int64_t cells_of_each() const = 0;
-  /// The number of figures of a cell.
+  /// Returns the number of figures of a cell.
   virtual std::size_t figure_count() const = 0;
   /// @throws Interrupted
   virtual CellResult computed(std::int64_t index) const = 0;
 
-  /// All that the results depend on, this program's version included, in one line of JSON.
+  /// Returns everything that the results depend on, this program's version included, in one line of JSON.
   virtual std::string description() const = 0;
-  /// The number of cells that keep a thread busy for some 0.1 s.
+  /// Returns the number of cells that keep a thread busy for some 0.1 s.
   virtual std::int64_t cells_in_round() const = 0;
 
-  /// All cells as text, by their index; demos/README.md documents columns and keys.
+  /// Return all cells as text, by their index; demos/README.md documents columns and keys.
   virtual std::string csv(const std::vector<CellResult>& results) const = 0;
   virtual std::string json(const std::vector<CellResult>& results) const = 0;
-  /// For the terminal.
+  /// Returns a summary for the terminal.
   virtual std::string summary(const std::vector<CellResult>& results) const = 0;
 
  protected:
-  /// The keys that every description starts with; `journal` names the kind of map and its version.
+  /// Returns the keys that every description starts with; `journal` names the kind of map and its version.
   nlohmann::ordered_json description_start(const std::string& journal) const;
 
-  /// The description, the values of the axes, and for each contender the lists of its cells' figures.
+  /// Returns the description, the values of the axes, and for each contender the lists of its cells' figures.
   nlohmann::ordered_json cells_json(const std::vector<CellResult>& results) const;
 
  private:
-  /// The figures by their keys in the JSON file. A figure that the cell does not have is null.
+  /// Returns the figures by their keys in the JSON file. A figure that the cell does not have is null.
   virtual nlohmann::ordered_json figures_json(const CellResult& result) const = 0;
 };
 

@@ -57,7 +57,7 @@ struct JointsOptions {
 
 using WorkPrecisionOptions = std::variant<CurveOptions, CostOptions, MapOptions, JointsOptions>;
 
-/// Nothing if the command line asked for --help or --version, which is then printed.
+/// Returns the options, or nothing if the command line asked for --help or --version, which is then printed.
 /// @throws std::invalid_argument that says what is wrong and what is valid
 std::optional<WorkPrecisionOptions> parse_work_precision_options(int argument_count, char** arguments);
 

@@ -8,7 +8,7 @@
 /// Reads the rotation of a body that Bullet rotates, in double precision.
 namespace polhode::demos {
 
-/// Its moments of inertia as Bullet, which keeps their inverses, has rounded them.
+/// Returns its moments of inertia as Bullet has rounded them: Bullet keeps their inverses.
 inline Vector3 inertia_of(const btRigidBody& body) {
   return from_bullet(body.getInvInertiaDiagLocal()).cwiseInverse();
 }

@@ -13,7 +13,7 @@ struct HeapCount {
 
 HeapCount heap_count();
 
-/// From now on Bullet's memory is counted too. To be called before Bullet takes any.
+/// Counts Bullet's memory too from now on. Call it before Bullet allocates.
 void count_heap_of_bullet();
 
 }  // namespace polhode::benchmarks

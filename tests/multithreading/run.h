@@ -46,7 +46,7 @@ struct Play {
 /// The play under one scheduler. The incident handler takes every other body that diverges to `exact`.
 Outcome run(const Play& play, Way way, BulletParts parts, const SchedulerChoice& scheduler);
 
-/// From 1 on; 0 if there is none.
+/// Returns the first step that differs, counted from 1; 0 if there is none.
 int first_step_that_differs(const Outcome& a, const Outcome& b);
 
 }  // namespace polhode::testing

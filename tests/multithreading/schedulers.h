@@ -28,7 +28,7 @@ struct SchedulerChoice {
   std::shared_ptr<btITaskScheduler> (*make)();
 };
 
-/// One thread: what all others are compared with.
+/// Returns the scheduler of one thread, with which all others are compared.
 const SchedulerChoice& one_thread();
 const SchedulerChoice& four_threads();
 /// 2, 3, 4 and 8 threads, Bullet's sequential scheduler, and its default one with as many threads as it has.

@@ -13,7 +13,7 @@ class Framebuffer {
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
-  /// From now on drawing goes there.
+  /// Makes drawing go to this framebuffer from now on.
   void bind() const;
   /// Reads the picture that was drawn.
   Image read() const;

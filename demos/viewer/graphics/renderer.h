@@ -28,9 +28,9 @@ class Renderer {
   /// `model_W` takes the shape's coordinates to the world's. Below an opacity of 1 what is behind shows
   /// through: draw that first.
   void draw(Mesh mesh, const Matrix4f& model_W, Color color, float opacity = 1.0f);
-  /// From each point to the next.
+  /// Draws lines from each point to the next.
   void draw_path(const std::vector<Eigen::Vector3f>& points_W, Color color);
-  /// From each point of even number to the next one.
+  /// Draws lines from each point of even number to the next one.
   void draw_segments(const std::vector<Eigen::Vector3f>& points_W, Color color);
 
  private:

@@ -13,7 +13,7 @@ struct Vertex {
 
 using Triangles = std::vector<Vertex>;
 
-/// From -1 to 1 on each axis.
+/// Returns a cube from -1 to 1 on each axis.
 Triangles cube();
 /// Returns a ball of radius 1.
 Triangles ball();

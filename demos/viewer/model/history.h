@@ -14,7 +14,7 @@ struct Pose {
   Vector3 position_W = Vector3::Zero();
 };
 
-/// All that is drawn of one contender after one step.
+/// The values from which one contender is drawn after one step.
 struct Snapshot {
   Sample sample;
   std::vector<Pose> others;

@@ -28,7 +28,7 @@ struct ViewerOptions {
   std::optional<std::filesystem::path> replay;
 };
 
-/// Nothing if the command line asked for --help or --version, which is then printed.
+/// Returns the options, or nothing if the command line asked for --help or --version, which is then printed.
 /// @throws std::invalid_argument that says what is wrong and what is valid
 std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arguments);
 

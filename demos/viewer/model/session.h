@@ -31,7 +31,8 @@ class Session {
   /// Plays on for so much real time, but computes for no longer than `budget`: then playback is slower than
   /// asked for, which is_late() says. A divergence pauses.
   void advance(double real_s, std::chrono::nanoseconds budget);
-  /// To that step, without a pause at a divergence; what diverges on the way is in the notice.
+  /// Runs to that step without a pause at a divergence. The notice names the contenders that diverge on the
+  /// way.
   /// @throws std::runtime_error where a replay leaves its recording
   void run_to(std::int64_t step);
 

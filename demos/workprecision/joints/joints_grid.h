@@ -14,8 +14,8 @@ namespace polhode::demos {
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice
 std::vector<Contender> schemes_and_bullet(const std::vector<std::string>& scheme_names);
 
-/// For each contender and kind a cell for each |omega| dt, inertia ratio and tilt. The cells of a contender go
-/// kind by kind, |omega| dt by |omega| dt, ratio by ratio.
+/// Has for each contender and kind a cell for each |omega| dt, inertia ratio and tilt. The cells of a
+/// contender go kind by kind, |omega| dt by |omega| dt, ratio by ratio.
 struct JointsGrid : CellMap {
   JointsGrid() : CellMap(schemes_and_bullet({}), {0.01, 3.0, 16}, {1.0, 20.0, 8}) {}
 

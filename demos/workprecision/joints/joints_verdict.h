@@ -24,7 +24,7 @@ struct JointsVerdict {
   double joint_error_excess = 0.0;
 };
 
-/// A figure that exceeds Bullet's by no more than this is not worse.
+/// A figure is worse only if it exceeds Bullet's by more than this.
 inline constexpr double kJointErrorMargin = 1e-3;  // rad
 inline constexpr double kEnergyGainFloor = 1.02;   // E/E0 up to here is never worse
 inline constexpr double kEnergyGainFactor = 1.02;

@@ -44,7 +44,7 @@ Picture read_picture(const std::filesystem::path& file) {
   return picture;
 }
 
-/// Those of the kept pictures. To make one anew, give polhode_viewer these.
+/// Returns the arguments that make the kept pictures. To make one anew, give them to polhode_viewer.
 std::vector<std::string> golden_arguments(const std::string& scenario, const std::string& file) {
   return {"--scenario", scenario,      "--contender",  "exact", "--contender", "matrix",
           "--at",       "0.25",        "--width",      "640",   "--height",    "320",

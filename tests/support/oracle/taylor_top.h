@@ -18,7 +18,7 @@ class TaylorTop {
 
   Quaternion q_WB() const;
   Vector3 L_B() const;
-  /// As FreeTop::attitude_error.
+  /// Returns the error as FreeTop::attitude_error does.
   double attitude_error(const Quaternion& q_WB) const;
   /// Returns how far q_WB L_B and |q_WB| have moved from the start, relative to it. The integration does not
   /// impose that they are kept.

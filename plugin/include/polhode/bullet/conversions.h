@@ -37,7 +37,7 @@ inline btMatrix3x3 to_bullet(const Matrix3& m) {
   return result;
 }
 
-/// Returns the rotation that a basis of Bullet's stands for.
+/// Returns the rotation that a Bullet basis represents.
 inline Quaternion to_quaternion(const btMatrix3x3& basis) {
   return Quaternion(to_double(basis)).normalized();
 }
