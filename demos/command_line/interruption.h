@@ -16,7 +16,7 @@ class Interrupted : public std::runtime_error {
   int signal_;
 };
 
-/// From now on such a signal is noted.
+/// Notes such a signal from now on.
 void watch_for_interruption();
 
 /// @throws Interrupted if one was noted.

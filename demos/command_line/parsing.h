@@ -9,7 +9,7 @@
 
 #include "scenario/range.h"
 
-/// What the programs' command lines have in common.
+/// Parts that the programs' command lines share.
 namespace polhode::demos {
 
 /// False: --help or --version was asked for, and printed.

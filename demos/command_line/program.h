@@ -6,7 +6,7 @@
 namespace polhode::demos {
 
 /// Does the work of a program and returns its exit code: 0, 2 for bad input, 128 + signal when interrupted.
-/// What was thrown becomes one line on stderr, unless by then `is_quiet` says that another process prints it.
+/// Prints an exception as one line on stderr, unless `is_quiet` then says that another process prints it.
 int run_program(
     const std::string& program, const std::function<void()>& work,
     const std::function<bool()>& is_quiet = [] { return false; });

@@ -26,8 +26,8 @@ Scenario chosen_scenario(const Options& options) {
   });
 }
 
-// What a comparison writes beside the table. Opened before the run, which may be long, to fail early; renamed
-// to their names after it.
+// The files that a comparison writes beside the table. They are opened before the run, which may be long, to
+// fail early, and get their names after it.
 struct Files {
   std::optional<OutputFile> csv;
   std::optional<OutputFile> json;

@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// What the command line asks for.
+/// Holds the options of polhode_compare's command line.
 struct Options {
   bool list = false;
   std::string scenario = "dzhanibekov";
@@ -20,7 +20,7 @@ struct Options {
   std::string command;  ///< the whole command line, as a shell would take it
 };
 
-/// Nothing if the command line asked for --help or --version, which is then printed.
+/// Returns the options, or nothing if the command line asked for --help or --version, which is then printed.
 /// @throws std::invalid_argument that says what is wrong and what is valid
 std::optional<Options> parse_options(int argument_count, char** arguments);
 

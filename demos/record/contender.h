@@ -11,21 +11,21 @@ namespace polhode::demos {
 /// Bullet's ways to treat the gyroscopic term, btRigidBodyFlags.
 enum class BulletMode { none, explicit_force, implicit_world, implicit_body };
 
-/// Who rotates the bodies of a run: one of the library's schemes, or Bullet itself in a world without the
-/// library.
+/// Names what rotates the bodies of a run: one of the library's schemes, or Bullet itself in a world without
+/// the library.
 struct Contender {
   std::string name;
   std::string summary;
   std::variant<SchemePointer, BulletMode> method;
 };
 
-/// Every registered scheme, then Bullet's modes.
+/// Returns every registered scheme, then Bullet's modes.
 std::vector<Contender> all_contenders();
 
 /// `exact`, the handout's four schemes and Bullet's modes.
 std::vector<Contender> default_contenders();
 
-/// Those of these names, in this order.
+/// Returns the contenders of these names, in this order.
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice.
 std::vector<Contender> find_contenders(const std::vector<std::string>& names);
 

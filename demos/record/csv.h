@@ -10,7 +10,7 @@ namespace polhode::demos {
 /// The first line, newline included.
 std::string csv_header();
 
-/// One line, newline included, with 17 significant digits.
+/// Returns one line, newline included, with 17 significant digits.
 std::string csv_row(const std::string& contender, const Sample& sample);
 
 }  // namespace polhode::demos

@@ -14,7 +14,7 @@ struct DrawnBox {
   Quaternion q_BP;  ///< turns the box' axes into the body's
 };
 
-/// What a body looks like: a sphere, or boxes.
+/// The shape that is drawn for a body: a sphere, or boxes.
 struct DrawnBody {
   std::optional<double> radius;
   std::vector<DrawnBox> boxes;

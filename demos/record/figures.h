@@ -10,9 +10,9 @@
 
 namespace polhode::demos {
 
-/// What a run comes down to: a row of the table. All of it is measured up to the divergence, if there was
-/// one. Errors relative to an energy or momentum that is zero at the start are absent, as is the attitude's
-/// where the exact motion is not known.
+/// The results of a run: a row of the table. All of them are measured up to the divergence, if there was one.
+/// Errors relative to an energy or momentum that is zero at the start are absent. The attitude's error is
+/// absent where the exact motion is not known.
 struct Figures {
   std::int64_t steps = 0;                          ///< recorded, without the start
   std::optional<double> final_energy_error;        ///< E/E0 - 1: below 0 energy was lost

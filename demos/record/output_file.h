@@ -27,7 +27,7 @@ class OutputFile {
   std::ofstream stream_;
 };
 
-/// Whether two paths, of files that need not exist, lead to the same file.
+/// Returns true if two paths lead to the same file. The files may not exist yet.
 bool same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace polhode::demos

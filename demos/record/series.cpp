@@ -23,7 +23,7 @@ void append_all(const Values& values, std::vector<float>& column) {
   for (Eigen::Index i = 0; i < values.size(); ++i) append(values.data()[i], column);
 }
 
-// What is not known is less than any.
+// A missing error counts as less than any number.
 void take_larger(double error, double& worst) {
   if (!(std::abs(worst) >= std::abs(error))) worst = error;
 }

@@ -45,7 +45,7 @@ class SeriesRecorder {
   SeriesRecorder(const Vector3& inertia_B, double dt, std::int64_t steps, std::size_t most_records);
   /// The start first.
   void add(const Sample& sample);
-  /// After the last sample: of a run that diverged the last stretch is shorter.
+  /// Returns the series after the last sample. The last stretch of a run that diverged is shorter.
   Series finish();
 
  private:

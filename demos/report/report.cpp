@@ -51,7 +51,7 @@ Json series_json(const Series& series) {
           {"L_W", base64(series.L_W)}};
 }
 
-// So that no text in it can end the script element that it stands in.
+// Escapes the JSON, so that no text in it can end the script element around it.
 std::string without_tags(const std::string& json) {
   std::string result;
   for (const char c : json) {

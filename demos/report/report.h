@@ -19,7 +19,7 @@ struct Report {
   std::string command;  ///< that made it
 };
 
-/// How many records the series of so many contenders may have, so that the page stays under 2 MB.
+/// Returns the largest number of records in the series of so many contenders that keeps the page under 2 MB.
 std::size_t most_records(std::size_t contenders);
 
 /// The report as JSON, which the page is filled with; report/page/data.js reads it.

@@ -19,7 +19,7 @@ class CheckedObject {
   /// `where` is the object's own key, empty for the whole file.
   CheckedObject(const nlohmann::json& value, std::string file_name, std::string where = "");
 
-  /// Also makes `key` a valid one.
+  /// Returns true if the key is there, and makes `key` a valid one.
   bool has(const std::string& key);
   std::string text(const std::string& key, const std::optional<std::string>& fallback = std::nullopt);
   double number(const std::string& key, const Range& range, std::optional<double> fallback = std::nullopt);
@@ -27,7 +27,7 @@ class CheckedObject {
   /// Three numbers, each within `range`.
   Vector3 vector(const std::string& key, const Range& range,
                  const std::optional<Vector3>& fallback = std::nullopt);
-  /// As `vector`, made a unit vector.
+  /// Reads a vector as `vector` does, made a unit vector.
   Vector3 direction(const std::string& key, const Vector3& fallback);
   /// w, x, y, z, made a unit quaternion; the identity if absent.
   Quaternion orientation(const std::string& key);
@@ -35,7 +35,7 @@ class CheckedObject {
   /// A list of objects, empty if absent.
   std::vector<CheckedObject> objects(const std::string& key);
 
-  /// To be called after the last read.
+  /// Refuses keys that were never asked for. Call it after the last read.
   void refuse_unknown_keys() const;
 
   /// @throws ScenarioError with this text about that key.

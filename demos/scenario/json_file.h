@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// What is wrong with a scenario: one line that names the file, the key and what is valid.
+/// Says what is wrong with a scenario: one line that names the file, the key and what is valid.
 class ScenarioError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

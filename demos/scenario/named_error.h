@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// What `work` returns; the message of an invalid argument begins with the scenario's name.
+/// Returns what `work` returns. Puts the scenario's name before the message of an invalid argument.
 template <typename Work>
 auto naming_the_scenario(const std::string& name, const Work& work) {
   try {

@@ -9,8 +9,8 @@
 #include "polhode/rotation_state.h"
 #include "scenario/range.h"
 
-/// What a scenario file says, in SI units; demos/README.md documents the file's keys. Frames: W the world, B
-/// the body (origin in its centre of mass, axes along its principal axes).
+/// The content of a scenario file, in SI units; demos/README.md documents the file's keys. Frames: W the
+/// world, B the body (origin in its centre of mass, axes along its principal axes).
 namespace polhode::demos {
 
 struct Sphere {
@@ -82,8 +82,8 @@ struct Scenario {
   double dt = 0.0;
   double duration = 0.0;
 
-  /// Nothing exerts a torque on `body` about its centre of mass, and nothing can touch it. Gravity exerts
-  /// none.
+  /// Returns true if nothing can touch `body` or exert a torque on it about its centre of mass. Gravity
+  /// exerts none.
   bool is_torque_free() const;
 };
 

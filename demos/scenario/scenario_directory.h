@@ -8,8 +8,8 @@
 
 namespace polhode::demos {
 
-/// Where the named scenarios are: $POLHODE_SCENARIOS, else the share directory that goes with this
-/// executable, wherever both were moved to.
+/// Returns the directory of the named scenarios: $POLHODE_SCENARIOS, else the share directory that was
+/// installed with this executable, even if both were moved.
 /// @throws ScenarioError if there is no such directory.
 std::filesystem::path scenario_directory();
 

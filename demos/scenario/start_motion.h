@@ -9,7 +9,8 @@ struct StartMotion {
   Vector3 velocity_W;
 };
 
-/// How the body moves at the start: its velocities as the file gives them, and on top what its impulses did.
+/// Returns the body's motion at the start: the velocities that the file gives, and what the impulses add to
+/// them.
 /// @throws std::invalid_argument if the impulses make it faster than a scenario may say.
 StartMotion start_motion(const Body& body, const Vector3& inertia_B);
 

@@ -6,7 +6,7 @@ namespace polhode::demos {
 
 namespace {
 
-// How far along the axis value i lies, from 0 to 1.
+// Returns the position of value i along the axis, from 0 to 1.
 double part(std::int64_t i, std::int64_t count) {
   return static_cast<double>(i) / static_cast<double>(count - 1);
 }

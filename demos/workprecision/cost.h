@@ -9,8 +9,8 @@
 
 namespace polhode::demos {
 
-/// What a step of a contender costs, in free motion and with a kick in every step. None where the body blew
-/// up within a few steps.
+/// The cost of a contender's step, in free motion and with a kick in every step. There is none where the body
+/// blew up within a few steps.
 struct ContenderCost {
   std::string contender;
   std::optional<Cost> free;

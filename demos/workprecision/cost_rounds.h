@@ -23,9 +23,10 @@ struct Cost {
 /// The name of the contender to which costs are relative: Bullet's default.
 inline constexpr char kBaseline[] = "bullet:implicit_body";
 
-/// What a step of each kernel costs, on a machine that others use too: in each of the rounds each kernel runs
-/// for a moment, so that a slow spell meets all of them; the figures are medians over the rounds, the ratio
-/// that of the ratios within a round. None where the kernel or its baseline may do no step.
+/// Measures the cost of each kernel's step on a machine that others use too. Each kernel runs for a moment in
+/// each of the rounds, so that noise affects all of them equally. The figures are medians over the rounds;
+/// the ratio is the median of the ratios within a round. There is no figure where the kernel or its baseline
+/// may do no step.
 /// @throws Interrupted
 std::vector<std::optional<Cost>> measure_costs(const std::vector<Lap>& laps, std::int64_t rounds);
 

@@ -39,8 +39,8 @@ std::string declared_order(const Contender& contender) {
   return order_text(std::get<SchemePointer>(contender.method)->description().order);
 }
 
-// The error at the end against the exact motion that starts from what the kernel says of itself: what Bullet
-// rounds at the start is no error of its step.
+// Returns the error at the end against the exact motion from the kernel's own start: Bullet's rounding of the
+// start is no error of its step.
 std::optional<double> attitude_error_rad(Kernel& kernel, const Motion& motion) {
   if (motion.diverged) return std::nullopt;
   const Quaternion q_WB = kernel.state().q_WB;

@@ -15,8 +15,8 @@ struct FreeBody {
   Vector3 omega_W{3.0, 2.0, 4.0};
 };
 
-/// Whether every step also takes in a change by others, as by a contact: too small to alter the motion, but
-/// it cannot be skipped.
+/// Selects whether every step also takes in a change by others, as by a contact. The kick is too small to
+/// alter the motion, but cannot be skipped.
 enum class Kick { none, every_step };
 
 /// One contender's own step of one body and nothing else: no world, no solver, no collisions.
@@ -46,7 +46,8 @@ std::unique_ptr<Kernel> make_kernel(const Contender& contender, const FreeBody& 
 std::unique_ptr<Kernel> make_scheme_kernel(const SchemePointer& scheme, const FreeBody& body, double dt_s,
                                            Kick kick);
 
-/// What btDiscreteDynamicsWorld does to the rotation of a free body with this gyroscopic flag, bit for bit.
+/// Makes a kernel that does to the rotation of a free body what btDiscreteDynamicsWorld does with this
+/// gyroscopic flag, bit for bit.
 std::unique_ptr<Kernel> make_bullet_kernel(BulletMode mode, const FreeBody& body, double dt_s, Kick kick);
 
 }  // namespace polhode::demos

@@ -39,7 +39,7 @@ void work(int argument_count, char** arguments, Ranks& ranks) {
   if (const JointsOptions* joints = std::get_if<JointsOptions>(&*options)) {
     return make_map(joints->grid, joints->run, ranks);
   }
-  // These time one core: more ranks would only disturb.
+  // The remaining commands time one core, which more ranks would only disturb.
   if (!ranks.is_first()) return;
   if (const CostOptions* cost = std::get_if<CostOptions>(&*options)) return print(cost_table(costs(*cost)));
   print(curve_table(curve(std::get<CurveOptions>(*options))));

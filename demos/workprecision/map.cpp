@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What goes from rank to rank: the machines are taken to be alike.
+// Ranks exchange bytes: the machines are taken to be alike.
 template <class Item>
 std::string to_bytes(const std::vector<Item>& items) {
   static_assert(std::is_trivially_copyable_v<Item>, "sent byte by byte");
@@ -38,7 +38,7 @@ fs::path journal_path(const Outputs& outputs) {
   return path;
 }
 
-/// What rank 0 alone holds: the journal, and the results so far.
+/// The journal and the results so far, which rank 0 alone holds.
 class MapRecord {
  public:
   MapRecord(const CellMap& map, const MapRun& run)

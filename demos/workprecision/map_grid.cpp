@@ -4,16 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenario/build_info.h"
 #include "workprecision/axes_json.h"
 #include "workprecision/motion.h"
-#include "world/run.h"
 
 namespace polhode::demos {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Vector3 spin_direction_B(SpinStart start) {
   if (start == SpinStart::generic) return Vector3(3.0, 2.0, 4.0).normalized();
@@ -22,10 +18,6 @@ Vector3 spin_direction_B(SpinStart start) {
 }
 
 }  // namespace
-
-std::int64_t MapGrid::cell_count() const {
-  return static_cast<std::int64_t>(contenders.size()) * omega_dt.count * inertia_ratio.count;
-}
 
 MapCell cell_at(const MapGrid& grid, std::int64_t index) {
   const std::int64_t ratios = grid.inertia_ratio.count;
@@ -58,11 +50,7 @@ std::int64_t MapGrid::cells_in_round() const {
 }
 
 std::string MapGrid::description() const {
-  Json json;
-  json["journal"] = "polhode_workprecision map 1";
-  json["polhode_version"] = kVersion;
-  json["precision"] = bullet_precision();
-  for (const Contender& contender : contenders) json["contenders"].push_back(contender.name);
+  nlohmann::ordered_json json = description_start("polhode_workprecision map 1");
   json["omega_dt"] = axis_json(omega_dt);
   json["inertia_ratio"] = axis_json(inertia_ratio);
   json["steps"] = steps;

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "record/contender.h"
-#include "workprecision/axes.h"
 #include "workprecision/cell_map.h"
 #include "workprecision/kernel.h"
 
@@ -16,16 +14,14 @@ enum class SpinStart {
   generic,      ///< along (3, 2, 4) in body axes
 };
 
-/// What is mapped: for each contender a cell for each pair of |omega| dt and inertia ratio I_3/I_1.
+/// Has for each contender a cell for each pair of |omega| dt and inertia ratio, |omega| dt by |omega| dt.
 struct MapGrid : CellMap {
-  std::vector<Contender> contenders;
-  LogarithmicAxis omega_dt{0.01, 3.0, 48};
-  LogarithmicAxis inertia_ratio{1.1, 20.0, 24};
+  MapGrid() : CellMap({}, {0.01, 3.0, 48}, {1.1, 20.0, 24}) {}
+
   std::int64_t steps = 1000;
   SpinStart start = SpinStart::middle_axis;
 
-  /// Contender by contender, in each of them |omega| dt by |omega| dt.
-  std::int64_t cell_count() const override;
+  std::int64_t cells_of_each() const override { return omega_dt.count * inertia_ratio.count; }
   /// The largest |E/E0 - 1|, up to the divergence if there was one.
   std::size_t figure_count() const override { return 1; }
   CellResult computed(std::int64_t index) const override;
@@ -33,8 +29,11 @@ struct MapGrid : CellMap {
   std::int64_t cells_in_round() const override;
   std::string csv(const std::vector<CellResult>& results) const override;
   std::string json(const std::vector<CellResult>& results) const override;
-  /// Per contender, how much of the grid stayed sound and how well.
+  /// Returns a line for each contender: how many cells diverged, and its energy errors.
   std::string summary(const std::vector<CellResult>& results) const override;
+
+ private:
+  nlohmann::ordered_json figures_json(const CellResult& result) const override;
 };
 
 struct MapCell {
@@ -45,12 +44,12 @@ struct MapCell {
 
 MapCell cell_at(const MapGrid& grid, std::int64_t index);
 
-/// The step is 1/60 s in every cell, I_1 is 1 kg m^2: that matters to what is not free of scale, such as
-/// Bullet's cap on the explicit torque.
+/// The step is 1/60 s in every cell, and I_1 is 1 kg m^2. This matters to contenders that are not free of
+/// scale, such as Bullet's capped explicit torque.
 inline constexpr double kMapTimeStep = 1.0 / 60.0;  // s
 
-/// The moments of a body that can exist, I_1 being 1 kg m^2: I_2 is in the middle of what the triangle
-/// inequality leaves it between I_1 and I_3.
+/// Returns the moments of a body that can exist, with I_1 = 1 kg m^2: I_2 is in the middle of the range that
+/// the triangle inequality leaves between I_1 and I_3.
 Vector3 moments_of(double inertia_ratio);
 
 FreeBody body_of(const MapCell& cell, SpinStart start);

@@ -20,7 +20,7 @@ class MapJournal {
   MapJournal(const MapJournal&) = delete;
   MapJournal& operator=(const MapJournal&) = delete;
 
-  /// What the file held when it was opened.
+  /// Returns the results that the file held when it was opened.
   const std::vector<CellResult>& finished() const { return finished_; }
   void append(const std::vector<CellResult>& results);
   /// Once the map itself is written.

@@ -10,7 +10,7 @@ namespace polhode::demos {
 
 namespace {
 
-// As the library judges a body; a figure of the motion needs its energy too.
+// Judges a body as the library does; a figure of the motion needs its energy too.
 bool is_sound(const RotationState& state) {
   return within_limits(state) && std::isfinite(state.energy());
 }

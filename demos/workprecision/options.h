@@ -12,7 +12,7 @@
 
 namespace polhode::demos {
 
-/// Where a command's results go, besides stdout.
+/// The files that a command writes, besides stdout.
 struct Outputs {
   std::optional<std::filesystem::path> csv;
   std::optional<std::filesystem::path> json;
@@ -38,7 +38,7 @@ struct CostOptions {
   Outputs outputs;
 };
 
-/// How a map is computed and where it goes: nothing that its cells depend on.
+/// How a map is computed and where it is written. The cells do not depend on it.
 struct MapRun {
   std::int64_t threads = 0;  ///< 0: as many as there are cores, or one under MPI
   bool restart = false;
@@ -57,7 +57,7 @@ struct JointsOptions {
 
 using WorkPrecisionOptions = std::variant<CurveOptions, CostOptions, MapOptions, JointsOptions>;
 
-/// Nothing if the command line asked for --help or --version, which is then printed.
+/// Returns the options, or nothing if the command line asked for --help or --version, which is then printed.
 /// @throws std::invalid_argument that says what is wrong and what is valid
 std::optional<WorkPrecisionOptions> parse_work_precision_options(int argument_count, char** arguments);
 

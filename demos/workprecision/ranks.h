@@ -19,12 +19,14 @@ class Ranks {
   int count() const;
   bool is_first() const { return rank() == 0; }
 
-  /// All must call these together. On rank 0 the bytes of every rank, in their order; elsewhere nothing.
+  /// Returns on rank 0 the bytes of every rank, in their order; elsewhere nothing. All ranks must call it
+  /// together.
   std::vector<std::string> gather(const std::string& bytes);
   /// Rank 0's bytes, on every rank.
   std::string broadcast(std::string bytes);
 
-  /// Each rank does this. If it throws on one of them, all throw the same: none is left waiting for another.
+  /// Does this on each rank. If it throws on one rank, all ranks throw the same, so that none is left waiting
+  /// for another.
   void together(const std::function<void()>& action);
   /// An exception from together() is under way on all ranks.
   bool stopped_together() const { return stopped_together_; }

@@ -1,4 +1,4 @@
-// One process: nobody to talk to.
+// Ranks of a program without MPI: a single process.
 #include "workprecision/ranks.h"
 
 namespace polhode::demos {

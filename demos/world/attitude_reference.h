@@ -13,9 +13,9 @@ namespace polhode::demos {
 
 class ScenarioWorld;
 
-/// How far a sample is from the exact motion. That starts from what the body itself says at the start, and
-/// goes by the moments and the time step that it really has: what Bullet rounded in the scenario is no error
-/// of the contender's.
+/// Measures the distance of a sample from the exact motion. The exact motion starts from the body's own
+/// values, with the moments and the time step that it really has: Bullet's rounding of the scenario is no
+/// error of the contender's.
 class AttitudeReference {
  public:
   AttitudeReference(const Scenario& scenario, const ScenarioWorld& world, const Sample& start);

@@ -5,10 +5,10 @@
 #include "polhode/rotation_math.h"
 #include "world/conversions.h"
 
-/// What a body that Bullet rotates says of itself, in double.
+/// Reads the rotation of a body that Bullet rotates, in double precision.
 namespace polhode::demos {
 
-/// Its moments of inertia as Bullet, which keeps their inverses, has rounded them.
+/// Returns its moments of inertia as Bullet has rounded them: Bullet keeps their inverses.
 inline Vector3 inertia_of(const btRigidBody& body) {
   return from_bullet(body.getInvInertiaDiagLocal()).cwiseInverse();
 }

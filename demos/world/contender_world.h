@@ -23,7 +23,7 @@ class ContenderWorld {
   /// The library's part in it; null in a plain world.
   const RotationControl* rotation() const { return rotation_; }
 
-  /// For each body that is added: in a plain world it gets the mode's flag and no other.
+  /// Gives a body the mode's flag and no other in a plain world. Call it for each body that is added.
   void set_gyroscopic_flag(btRigidBody& body) const;
 
  private:

@@ -6,7 +6,7 @@
 
 #include "polhode/rotation_state.h"
 
-/// Between the scenario's doubles and Bullet's own precision.
+/// Converts between the scenario's doubles and Bullet's own precision.
 namespace polhode::demos {
 
 inline btVector3 to_bullet(const Vector3& v) {

@@ -8,7 +8,7 @@
 
 namespace polhode::demos {
 
-/// Is shown every sample of a run in turn, the start included; what it throws ends the run.
+/// Sees every sample of a run in turn, the start included. An exception from it ends the run.
 using SampleObserver = std::function<void(const Sample&)>;
 
 /// Runs the scenario with that contender to its end, or to the divergence. Samples are not kept.

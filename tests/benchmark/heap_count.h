@@ -4,8 +4,8 @@
 
 namespace polhode::benchmarks {
 
-/// Of this process: what goes through operator new, and Bullet's memory once count_heap_of_bullet was called.
-/// What calls malloc by itself is not in it.
+/// Counts the heap use of this process through operator new, and Bullet's memory once count_heap_of_bullet
+/// was called. Direct calls of malloc are not counted.
 struct HeapCount {
   std::int64_t live_bytes = 0;   ///< as they were asked for
   std::int64_t allocations = 0;  ///< since the start
@@ -13,7 +13,7 @@ struct HeapCount {
 
 HeapCount heap_count();
 
-/// From now on Bullet's memory is counted too. To be called before Bullet takes any.
+/// Counts Bullet's memory too from now on. Call it before Bullet allocates.
 void count_heap_of_bullet();
 
 }  // namespace polhode::benchmarks

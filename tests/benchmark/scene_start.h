@@ -18,7 +18,7 @@ struct BoxStart {
   btVector3 omega_W;
 };
 
-/// All that makes the plain world and Polhode's the same one.
+/// The start that the plain world and Polhode's share.
 struct SceneStart {
   std::vector<btVector3> half_extents;  ///< of the shapes, which the boxes share
   std::vector<BoxStart> boxes;

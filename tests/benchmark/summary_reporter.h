@@ -9,7 +9,7 @@
 
 namespace polhode::benchmarks {
 
-/// Which builds are measured, in one line.
+/// Returns a line that says which builds are measured.
 std::string build_text();
 
 /// Holds the benchmarks against the targets: a table when all have run, for people.

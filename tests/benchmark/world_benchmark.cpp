@@ -71,7 +71,7 @@ class Race {
         plain_(RotatedBy::bullet, nullptr),
         polhode_(options.rotated_by, options.scheme) {}
 
-  /// Of Polhode's world, s per step.
+  /// Returns the time of Polhode's world, s per step.
   double run_round() {
     const bool plain_first = round_ % 2 == 0;
     const int per_build = options_.rounds.rounds_per_build;
@@ -117,7 +117,7 @@ class Race {
     (plain_first ? polhode_ : plain_).build(start_, options_);
   }
 
-  // Of the worlds that are about to be torn down.
+  // Adds the allocations of the worlds that are about to be torn down.
   void count_allocations() { extra_allocations_ += polhode_.allocations() - plain_.allocations(); }
 
   const WorldBenchmark& options_;

@@ -8,8 +8,8 @@
 
 namespace polhode::benchmarks {
 
-/// How long a pair of worlds is measured. Worlds are built anew several times: the place in memory that they
-/// happen to get is part of the noise, and the schemes that blow up begin again before they do.
+/// The duration of the measurement of a pair of worlds. Worlds are built anew several times, because their
+/// place in memory is part of the noise and the schemes that blow up have to begin again before they do.
 struct WorldRounds {
   int builds;
   int rounds_per_build;

@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// While it lives, the global C++ locale writes 1234.5 as 1.234,5.
+/// Sets a global C++ locale that writes 1234.5 as 1.234,5, until it is destroyed.
 class ForeignLocale {
  public:
   ForeignLocale() : before_(std::locale::global(std::locale(std::locale::classic(), new CommaNumbers))) {}

@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// One of the demos' scenarios, from the source tree.
+/// Reads one of the demos' scenarios from the source tree.
 inline Scenario scenario_file(const std::string& name) {
   return read_scenario(std::filesystem::path(POLHODE_SCENARIO_SOURCES) / (name + ".json"));
 }

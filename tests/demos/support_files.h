@@ -15,7 +15,7 @@ class TemporaryDirectory {
 
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
-  /// How many files are in it.
+  /// Returns the number of files in the directory.
   int file_count() const;
 
  private:

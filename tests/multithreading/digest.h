@@ -44,7 +44,7 @@ class Digest {
   }
 
  private:
-  // Not the fourth component, which Bullet leaves to chance. A float as a double keeps its bits apart.
+  // Leaves out the fourth component, which Bullet leaves to chance. A float as a double keeps its bits apart.
   void add(const btVector3& vector) {
     for (int axis = 0; axis < 3; ++axis) add(static_cast<double>(vector.m_floats[axis]));
   }

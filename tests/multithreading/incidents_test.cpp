@@ -38,7 +38,7 @@ TEST_P(IncidentsInMt, AreToldOnceForEachBodyAndKindInTheOrderOfTheBodies) {
     return std::make_tuple(a.step, a.body) < std::make_tuple(b.step, b.body);
   };
   EXPECT_TRUE(std::is_sorted(result.incidents.begin(), result.incidents.end(), earlier));
-  // So that there was something to put in order.
+  // Otherwise there would be nothing to put in order.
   EXPECT_GE(count(result, IncidentKind::non_finite_body), 5u);    // measured 5
   EXPECT_GE(count(result, IncidentKind::scheme_diverged), 100u);  // measured 224
 }

@@ -14,8 +14,8 @@ namespace polhode::testing {
 
 enum class Way { plain_bullet, rotation_world, rotation_plugin };
 
-/// Which of Bullet's own multi-threaded parts a scene has, beside the world's loops and a solver for each
-/// island.
+/// Selects the multi-threaded parts of Bullet that a scene has, beside the world's loops and a solver for
+/// each island.
 struct BulletParts {
   bool parallel_narrowphase;  ///< btCollisionDispatcherMt
   bool parallel_solver;       ///< btSequentialImpulseConstraintSolverMt for large islands
@@ -39,7 +39,7 @@ class MtScene {
   btDiscreteDynamicsWorldMt& world() { return *world_; }
   const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return bodies_; }
   bool is_rotated() const { return rotation_ != nullptr; }
-  /// Not for plain_bullet.
+  /// Returns the control; plain_bullet has none.
   RotationControl& rotation() const { return *rotation_; }
 
   void step(btScalar dt);

@@ -26,7 +26,7 @@ struct ToldIncident {
   }
 };
 
-/// What a run left behind.
+/// The result of a run.
 struct Outcome {
   std::vector<std::uint64_t> digests;  ///< after each step
   std::vector<ToldIncident> incidents;
@@ -35,7 +35,7 @@ struct Outcome {
   int contacts_at_end = 0;  ///< pairs of bodies that touch, or nearly
 };
 
-/// What is simulated: bodies, and what happens to them before each step.
+/// A simulation: bodies, and what happens to them before each step.
 struct Play {
   void (*set_up)(MtScene& scene);
   void (*act)(MtScene& scene, int step);
@@ -46,7 +46,7 @@ struct Play {
 /// The play under one scheduler. The incident handler takes every other body that diverges to `exact`.
 Outcome run(const Play& play, Way way, BulletParts parts, const SchedulerChoice& scheduler);
 
-/// From 1 on; 0 if there is none.
+/// Returns the first step that differs, counted from 1; 0 if there is none.
 int first_step_that_differs(const Outcome& a, const Outcome& b);
 
 }  // namespace polhode::testing

@@ -67,7 +67,7 @@ TEST_P(BothWaysInMt, PilesWithTheParallelNarrowphaseRunToTheirEnd) {
   EXPECT_GE(outcome.contacts_at_end, kContactsOfPiles);
 }
 
-// What the tests of piles stand on.
+// Checks what the tests of piles assume of plain Bullet.
 class PlainBullet : public ::testing::TestWithParam<BulletParts> {};
 
 TEST_P(PlainBullet, GivesTheSameBitsOfPilesIfTheNarrowphaseIsSequential) {

@@ -8,7 +8,8 @@
 
 namespace polhode::testing {
 
-/// What btParallelFor runs on while this lives. At most one at a time, made in the main thread.
+/// Sets the scheduler that btParallelFor runs on while this object lives. At most one exists at a time, made
+/// in the main thread.
 class ActiveScheduler {
  public:
   explicit ActiveScheduler(std::shared_ptr<btITaskScheduler> scheduler) : scheduler_(std::move(scheduler)) {
@@ -27,7 +28,7 @@ struct SchedulerChoice {
   std::shared_ptr<btITaskScheduler> (*make)();
 };
 
-/// One thread: what all others are compared with.
+/// Returns the scheduler of one thread, with which all others are compared.
 const SchedulerChoice& one_thread();
 const SchedulerChoice& four_threads();
 /// 2, 3, 4 and 8 threads, Bullet's sequential scheduler, and its default one with as many threads as it has.

@@ -7,7 +7,7 @@ namespace polhode::testing {
 
 namespace {
 
-// Whether this thread runs a part of a loop.
+// True while this thread runs a part of a loop.
 thread_local bool in_loop = false;
 
 int chunk_count(int begin, int end, int grain) {

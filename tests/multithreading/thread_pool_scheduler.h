@@ -11,9 +11,9 @@
 
 namespace polhode::testing {
 
-/// A scheduler of any number of threads, the caller's among them: Bullet's own has no more than the machine
-/// has processors. Every thread gets its share of each loop, however slow it is, and another share in the
-/// next loop; so what depends on who runs which part, or when, shows.
+/// A scheduler of any number of threads, the caller's among them. Bullet's own has at most as many as the
+/// machine has processors. Every thread gets its share of each loop, however slow it is, and another share in
+/// the next loop, so that any dependence on which thread runs which part, or when, shows.
 class ThreadPoolScheduler final : public btITaskScheduler {
  public:
   explicit ThreadPoolScheduler(int threads);

@@ -71,7 +71,8 @@ TEST_P(EveryScheme, ConvergesWithTheOrderItDeclares) {
 
 TEST_P(EveryScheme, KeepsWhatItDeclaresExactAndLosesWhatItDeclaresLost) {
   const SchemeDescription declared = scheme().description();
-  // What a scheme of order 4 loses shows in large steps only: of some 13 degrees, else of 1.3.
+  // A scheme of order 4 shows its loss in large steps only: steps of some 13 degrees, for other schemes of
+  // 1.3.
   const bool high_order = declared.order.value_or(1) >= 4;
   const int steps = high_order ? 48 : 480;
   const Drift after_2_s = drift(2.0, steps);

@@ -61,7 +61,7 @@ struct HingedBody {
   btHingeConstraint& hinge;
   Vector3 axis_B;
 
-  /// How far its axis has left the hinge's; rad.
+  /// Returns the angle between its axis and the hinge's, rad.
   double axis_off() const { return angle_between_axes(basis_of(body) * axis_B, Vector3::UnitZ()); }
 };
 
@@ -188,7 +188,7 @@ void add_stack(AnyScene& scene, int count, const btVector3& half_extents = vecto
   }
 }
 
-/// How far a stack is from where it was put.
+/// The distance of a stack from where it was put.
 struct StackWander {
   double lean = 0;    ///< rad, the worst box
   double wander = 0;  ///< m, sideways, the worst box
@@ -288,7 +288,7 @@ void add_random_drop(AnyScene& scene, double spin, std::mt19937& random) {
   }
 }
 
-/// Of all bodies that move.
+/// Returns the kinetic and potential energy of all bodies that move.
 template <class AnyScene>
 double total_energy(const AnyScene& scene, double gravity = 0) {
   double sum = 0;

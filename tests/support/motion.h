@@ -5,7 +5,7 @@
 #include "polhode/bullet/conversions.h"
 #include "polhode/rotation_math.h"
 
-/// What tests ask of a Bullet body, in double precision.
+/// Reads a Bullet body's motion, in double precision.
 namespace polhode::testing {
 
 inline Matrix3 basis_of(const btRigidBody& body) {
@@ -30,7 +30,7 @@ inline double distance(const Matrix3& a, const Matrix3& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// Bit for bit the same pose and velocities.
+/// Returns true for bit for bit the same pose and velocities.
 inline bool same_motion(const btRigidBody& a, const btRigidBody& b) {
   return same(a.getWorldTransform().getBasis(), b.getWorldTransform().getBasis()) &&
          same(a.getWorldTransform().getOrigin(), b.getWorldTransform().getOrigin()) &&
@@ -38,12 +38,13 @@ inline bool same_motion(const btRigidBody& a, const btRigidBody& b) {
          same(a.getLinearVelocity(), b.getLinearVelocity());
 }
 
-/// The body shows the library's orientation, rounded to Bullet's precision.
+/// Returns true if the body shows the library's orientation, rounded to Bullet's precision.
 inline bool shows_orientation(const btRigidBody& body, const RotationState& state) {
   return same(body.getWorldTransform().getBasis(), to_bullet(state.q_WB.toRotationMatrix()));
 }
 
-/// And its velocity, as every body does that is not in a joint or a contact.
+/// Returns true if the body shows the library's orientation and velocity, as every body does that is not in a
+/// joint or a contact.
 inline bool shows(const btRigidBody& body, const RotationState& state) {
   return shows_orientation(body, state) && same(body.getAngularVelocity(), to_bullet(state.omega_W));
 }

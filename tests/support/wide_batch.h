@@ -38,7 +38,7 @@ struct WideBatch {
   std::vector<WideMemoryRow> memory;
 };
 
-/// One body that a scheme remembers from step to step, if it is one that does.
+/// One body that a scheme remembers from step to step, if the scheme has a memory.
 class RememberedBody {
  public:
   explicit RememberedBody(const RotationScheme& scheme)

@@ -13,9 +13,9 @@ class Framebuffer {
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
-  /// From now on drawing goes there.
+  /// Makes drawing go to this framebuffer from now on.
   void bind() const;
-  /// What was drawn.
+  /// Reads the picture that was drawn.
   Image read() const;
 
  private:
@@ -28,7 +28,7 @@ class Framebuffer {
   unsigned int plain_color_ = 0;
 };
 
-/// What a window's back buffer shows.
+/// Reads the picture in a window's back buffer.
 Image read_window(int width, int height);
 
 }  // namespace polhode::demos

@@ -21,16 +21,16 @@ class Renderer {
 
   /// Clears the whole picture, of that size in the units of viewports; `scale` pixels are one of them.
   void clear(int width, int height, float scale);
-  /// What follows goes to that part of the picture, seen by that camera.
+  /// Draws from here on into that part of the picture, seen by that camera.
   void begin(const Rectangle& viewport, const OrbitCamera& camera);
-  /// What follows goes to the whole picture again.
+  /// Draws into the whole picture again.
   void end();
   /// `model_W` takes the shape's coordinates to the world's. Below an opacity of 1 what is behind shows
   /// through: draw that first.
   void draw(Mesh mesh, const Matrix4f& model_W, Color color, float opacity = 1.0f);
-  /// From each point to the next.
+  /// Draws lines from each point to the next.
   void draw_path(const std::vector<Eigen::Vector3f>& points_W, Color color);
-  /// From each point of even number to the next one.
+  /// Draws lines from each point of even number to the next one.
   void draw_segments(const std::vector<Eigen::Vector3f>& points_W, Color color);
 
  private:

@@ -11,12 +11,12 @@
 
 namespace polhode::demos {
 
-/// What a simulation looks like.
+/// Draws a simulation.
 class Scene {
  public:
   explicit Scene(const Simulation& simulation);
 
-  /// One contender as it is at the step that is shown.
+  /// Draws one contender at the step that is shown.
   void draw(Renderer& renderer, const Simulation& simulation, std::size_t index, bool is_teaching) const;
   /// The arrows that are drawn with it.
   std::vector<Arrow> arrows(const Simulation& simulation, std::size_t index, bool is_teaching) const;

@@ -13,9 +13,9 @@ struct Vertex {
 
 using Triangles = std::vector<Vertex>;
 
-/// From -1 to 1 on each axis.
+/// Returns a cube from -1 to 1 on each axis.
 Triangles cube();
-/// Of radius 1.
+/// Returns a ball of radius 1.
 Triangles ball();
 /// Along z from 0 to 1, of radius 1; `top_radius` 0 makes it a cone.
 Triangles cylinder(float top_radius);

@@ -19,7 +19,7 @@ class Frame {
   void draw(int width, int height, float scale = 1.0f);
   /// The camera as at the start.
   void reset_camera();
-  /// Where the contenders' views were drawn.
+  /// Returns the area in which the contenders' views were drawn.
   const Rectangle& views() const { return views_; }
 
  private:

@@ -16,7 +16,7 @@ namespace polhode::demos {
 
 namespace {
 
-/// What is left of a sixtieth of a second is for drawing.
+/// Limits the steps of a frame; the rest of a sixtieth of a second is for drawing.
 constexpr std::chrono::milliseconds kStepBudget{10};
 constexpr double kRadiansPerPixel = 0.008;
 constexpr double kZoomPerNotch = 0.9;
@@ -158,7 +158,7 @@ class LiveWindow {
 
   Session& session_;
   ViewState view_;
-  // What needs the context is declared after it, so that it goes before.
+  // Members that need the context are declared after it, so that they are destroyed before it.
   Window window_;
   Gui gui_;
   std::optional<Frame> frame_;

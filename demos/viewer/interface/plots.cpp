@@ -13,7 +13,7 @@ namespace polhode::demos {
 namespace {
 
 constexpr std::size_t kMostPoints = 400;
-/// Of a plot. Where there is less room, they are scrolled.
+/// The least width of a plot. Plots are scrolled where there is less room.
 constexpr float kLeastWidth = 250.0f;
 constexpr float kLeastHeight = 130.0f;
 constexpr float kLeftMargin = 62.0f;

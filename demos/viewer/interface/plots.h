@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// Every quantity over time, a curve for each contender.
+/// Draws every quantity over time, a curve for each contender.
 void draw_plots(const Session& session, const Rectangle& area);
 
 }  // namespace polhode::demos

@@ -9,14 +9,14 @@
 
 namespace polhode::demos {
 
-/// How a user looks at a session; nothing in it changes what is computed.
+/// Holds how a user looks at a session; nothing in it changes what is computed.
 struct ViewState {
   OrbitCamera camera;
   bool is_teaching = false;
   bool has_panels = true;
   bool has_help = false;
   bool follows_bodies = false;
-  /// What stands in the fields of the control panel, which counts once it is applied.
+  /// The fields of the control panel, which count once they are applied.
   Changes edited{};
   std::array<char, 256> csv_file{"polhode.csv"};
   std::array<char, 256> png_file{"polhode.png"};

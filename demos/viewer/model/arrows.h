@@ -20,7 +20,7 @@ struct Arrow {
 /// one, so that both are seen where they are parallel.
 std::vector<Arrow> arrows_of(const Sample& sample, const Sample& start, double radius);
 
-/// How far the body reaches from its centre of mass, m.
+/// Returns how far the body reaches from its centre of mass, m.
 double reach_of(const Body& body);
 
 }  // namespace polhode::demos

@@ -12,11 +12,11 @@ using Matrix4f = Eigen::Matrix4f;
 /// Circles a point of the world, with the world's z axis upwards.
 class OrbitCamera {
  public:
-  /// So that a ball of that radius about the target fills the view.
+  /// Moves the camera so that a ball of that radius about the target fills the view.
   void look_at(const Vector3& target_W, double radius);
   void move_to(const Vector3& target_W) { target_W_ = target_W; }
 
-  /// By angles, rad. The elevation stays short of the poles.
+  /// Turns the camera about its target by these angles, rad. The elevation stays short of the poles.
   void orbit(double azimuth_rad, double elevation_rad);
   /// Multiplies the distance, within bounds.
   void zoom(double factor);
@@ -35,7 +35,8 @@ class OrbitCamera {
   double elevation_rad_ = 0.45;
 };
 
-/// Where a point is in a viewport of that size, in pixels from its top left corner; false: behind the camera.
+/// Computes where a point is in a viewport of that size, in pixels from its top left corner. Returns false if
+/// the point is behind the camera.
 bool project(const Matrix4f& view_projection, const Vector3& point_W, const Eigen::Vector2f& size,
              Eigen::Vector2f& pixel);
 

@@ -4,7 +4,7 @@
 
 namespace polhode::demos {
 
-/// What a user may change of a scenario in the viewer.
+/// The parts of a scenario that a user may change in the viewer.
 struct Changes {
   double dt;
   Vector3 inertia_B;

@@ -12,7 +12,7 @@
 
 namespace polhode::demos {
 
-/// How many steps of a run can be recorded.
+/// The largest number of steps of a run that can be recorded.
 inline constexpr std::int64_t kMostDigests = 1000000;
 
 /// One contender's world, stepped, and what it left behind.
@@ -28,7 +28,8 @@ class ContenderRun {
   const Sample& start() const { return start_; }
   /// The step that failed, if one did.
   std::optional<std::int64_t> diverged_at_step() const { return diverged_at_step_; }
-  /// Of the bits after that step, for a recording; 0 if it had diverged, or is past kMostDigests.
+  /// Returns a digest of the state's bits after that step, for a recording; 0 if the run had diverged, or
+  /// past kMostDigests.
   std::uint64_t digest_at(std::int64_t step) const;
   Vector3 inertia_B() const { return world_->inertia_B(); }
 

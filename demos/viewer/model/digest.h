@@ -6,7 +6,7 @@
 
 namespace polhode::demos {
 
-/// A number that stands for all bits of what a contender's world shows after a step; never 0.
+/// Returns a digest of all bits of a contender's world after a step; never 0.
 std::uint64_t digest_of(const Snapshot& snapshot);
 
 }  // namespace polhode::demos

@@ -8,13 +8,13 @@
 
 namespace polhode::demos {
 
-/// Where a body that is not recorded is.
+/// The place and orientation of a body that is not recorded.
 struct Pose {
   Matrix3 R_WB = Matrix3::Identity();
   Vector3 position_W = Vector3::Zero();
 };
 
-/// All that is drawn of one contender after one step.
+/// The values from which one contender is drawn after one step.
 struct Snapshot {
   Sample sample;
   std::vector<Pose> others;

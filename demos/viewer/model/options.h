@@ -11,7 +11,7 @@
 
 namespace polhode::demos {
 
-/// What the command line of polhode_viewer asks for.
+/// Holds the options of polhode_viewer's command line.
 struct ViewerOptions {
   std::string scenario = "dzhanibekov";
   std::vector<std::string> contenders;  ///< empty: the default ones
@@ -28,11 +28,11 @@ struct ViewerOptions {
   std::optional<std::filesystem::path> replay;
 };
 
-/// Nothing if the command line asked for --help or --version, which is then printed.
+/// Returns the options, or nothing if the command line asked for --help or --version, which is then printed.
 /// @throws std::invalid_argument that says what is wrong and what is valid
 std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arguments);
 
-/// What scenario and contenders, or the recording, give.
+/// Starts the session that the options choose: a scenario with contenders, or a recording.
 /// @throws std::invalid_argument, ScenarioError
 Session chosen_session(const ViewerOptions& options);
 /// The step that --at means; without it the start, or of a replay that is a picture the end.

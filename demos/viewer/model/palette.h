@@ -32,7 +32,7 @@ inline Color contender_color(std::size_t index) {
   return kContenderColors[index % kContenderColors.size()];
 }
 
-/// Where there are more contenders than colours, these are drawn dashed.
+/// Returns true for contenders past the last colour, which are drawn dashed.
 inline bool is_dashed(std::size_t index) {
   return index >= kContenderColors.size();
 }

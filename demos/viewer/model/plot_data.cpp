@@ -9,10 +9,11 @@ namespace {
 
 /// Below rounding all errors are alike.
 constexpr double kLeastPower = -17.0;
-/// Of the curves, sorted by how far they go, this part counts; others may go so many times as far.
+/// The part of the curves, sorted by how far they go, that sets the range; others may go kUsualReach times as
+/// far.
 constexpr double kUsualPart = 0.7;
 constexpr double kUsualReach = 4.0;
-/// Of the value at the start.
+/// The least range, relative to the value at the start.
 constexpr double kRoomToLeave = 0.3;
 constexpr double kMargin = 0.08;
 
@@ -54,7 +55,7 @@ double usual_distance(const std::vector<Range>& extents, double centre) {
   }
   std::sort(distances.begin(), distances.end());
   const auto usual = static_cast<std::size_t>(kUsualPart * static_cast<double>(distances.size()));
-  // Where nearly all only round, there is room for one that does more to be seen to leave.
+  // Where nearly all curves show rounding only, leaves room to see one that departs from them.
   const double limit = std::max(kUsualReach * distances[usual], kRoomToLeave * std::abs(centre));
   if (distances[usual] < kRoomToLeave * std::abs(centre)) return std::min(limit, distances.back());
   return *(std::upper_bound(distances.begin() + static_cast<std::ptrdiff_t>(usual), distances.end(), limit) -
@@ -87,7 +88,7 @@ Range value_range(const std::vector<Curve>& curves) {
     shown.lowest = std::min(shown.lowest, std::max(one.lowest, centre - reach));
     shown.highest = std::max(shown.highest, std::min(one.highest, centre + reach));
   }
-  // What differs by rounding alone is drawn as a straight line.
+  // A curve that differs by rounding alone is drawn as a straight line.
   const double least = std::max(1e-5 * std::abs(centre), 1e-12);
   const double margin = std::max(kMargin * (shown.highest - shown.lowest), least);
   return {shown.lowest - margin, shown.highest + margin};

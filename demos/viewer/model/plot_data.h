@@ -13,17 +13,18 @@ struct PlotPoint {
   double value;  ///< of a logarithmic quantity its power of ten
 };
 
-/// Of one contender, in the order of time; empty where the quantity is not known.
+/// The points of one contender, in the order of time; empty where the quantity is not known.
 using Curve = std::vector<PlotPoint>;
 
 /// A curve for each contender, up to the step that is shown, of about `most_points` points.
 std::vector<Curve> curves_of(const Simulation& simulation, const QuantityDescription& quantity,
                              std::size_t most_points);
 
-/// What to show of these: all, but for the few that leave the others by far, such as one that blows up.
+/// Returns the range that shows all curves but the few that leave the others by far, such as one that blows
+/// up.
 Range value_range(const std::vector<Curve>& curves);
 
-/// Whether a curve is not wholly within.
+/// Returns true if a part of the curve is outside the range.
 bool leaves(const Curve& curve, const Range& range);
 
 /// Round numbers within a range, two to six of them.

@@ -20,7 +20,7 @@ struct Poinsot {
   double distance;
 };
 
-/// Of that size as drawn, m. Nothing where the body does not turn at the start.
+/// Returns the construction scaled to that size as drawn, m; nothing if the body does not turn at the start.
 std::optional<Poinsot> poinsot_of(const Sample& start, const Vector3& inertia_B, double size);
 
 /// The path of omega up to that step: in the body's axes (as they are turned then), or in the world's, as

@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// What is plotted over time.
+/// The quantities that are plotted over time.
 enum class Quantity {
   energy,
   energy_x,
@@ -36,7 +36,7 @@ inline constexpr std::array<QuantityDescription, 8> kQuantities = {
      {Quantity::energy_y, "energy about body y", "J", false},
      {Quantity::energy_z, "energy about body z", "J", false}}};
 
-/// Nothing where the sample has no such value.
+/// Returns the value, or nothing if the sample has no such value.
 std::optional<double> value_of(Quantity quantity, const Sample& sample, const Sample& start);
 
 }  // namespace polhode::demos

@@ -6,14 +6,14 @@
 
 #include "viewer/model/simulation.h"
 
-/// A run in a file: what it starts from, and of each step of each contender a number that stands for all bits
-/// of its state. To replay it is to compute it again and to find the same bits.
+/// A run in a file: its start, and for each step of each contender a digest of all bits of its state. A
+/// replay computes the run again and compares the digests.
 namespace polhode::demos {
 
 struct Recording {
   Scenario scenario;
   std::vector<Contender> contenders;
-  /// For each step, the start included, one for each contender; 0 once it has diverged.
+  /// The digests of each step, the start included, one for each contender; 0 once it has diverged.
   std::vector<std::vector<std::uint64_t>> digests;
 
   std::int64_t steps() const { return static_cast<std::int64_t>(digests.size()) - 1; }

@@ -12,11 +12,11 @@
 
 namespace polhode::demos {
 
-/// What a key or a button asks for.
+/// The actions of keys and buttons.
 enum class Action { run_or_pause, step, step_back, reset, faster, slower };
 
-/// What a user does with a simulation: lets it play, pauses, steps, starts it over or changes it. What is
-/// worth saying about it is in notice().
+/// Does what a user asks of a simulation: plays, pauses, steps, starts over, changes it. notice() tells the
+/// user about it.
 class Session {
  public:
   /// @throws std::invalid_argument for a start that start_motion refuses.
@@ -31,7 +31,8 @@ class Session {
   /// Plays on for so much real time, but computes for no longer than `budget`: then playback is slower than
   /// asked for, which is_late() says. A divergence pauses.
   void advance(double real_s, std::chrono::nanoseconds budget);
-  /// To that step, without a pause at a divergence; what diverges on the way is in the notice.
+  /// Runs to that step without a pause at a divergence. The notice names the contenders that diverge on the
+  /// way.
   /// @throws std::runtime_error where a replay leaves its recording
   void run_to(std::int64_t step);
 
@@ -40,7 +41,7 @@ class Session {
   void restart(const Scenario& scenario, const std::vector<Contender>& contenders, const std::string& reason);
 
   const Simulation& simulation() const { return *simulation_; }
-  /// How many steps the recording has that is replayed, 0 without one.
+  /// Returns the number of steps of the recording that is replayed, 0 without one.
   std::int64_t replayed_steps() const { return replayed_ ? replayed_->steps() : 0; }
   const std::vector<Contender>& contenders() const { return contenders_; }
   PlaybackClock& clock() { return clock_; }

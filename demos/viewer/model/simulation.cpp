@@ -32,7 +32,7 @@ bool Simulation::step_back() {
 }
 
 std::int64_t Simulation::first_kept_step() const {
-  // Of one that has diverged older steps may be held than of the others.
+  // A run that has diverged may hold older steps than the others.
   const auto capacity = static_cast<std::int64_t>(history_capacity_);
   return std::max<std::int64_t>(0, computed_step_ - capacity + 1);
 }

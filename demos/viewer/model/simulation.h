@@ -8,7 +8,7 @@
 
 namespace polhode::demos {
 
-/// How many steps of each contender are kept, to step back through and to plot.
+/// The number of steps of each contender that are kept, to step back through and to plot.
 inline constexpr std::size_t kHistoryCapacity = 20000;
 
 /// A scenario run by several contenders in lockstep: all are at the same step, or have diverged before it.
@@ -34,7 +34,7 @@ class Simulation {
   std::size_t size() const { return runs_.size(); }
   const ContenderRun& run(std::size_t index) const { return *runs_.at(index); }
   const Snapshot& shown(std::size_t index) const { return run(index).history().at(shown_step_); }
-  /// Whether that contender has failed at or before the step that is shown.
+  /// Returns true if that contender has failed at or before the step that is shown.
   bool has_diverged(std::size_t index) const;
 
  private:

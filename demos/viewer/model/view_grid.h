@@ -4,7 +4,7 @@
 
 namespace polhode::demos {
 
-/// In pixels from the top left corner of the picture.
+/// A rectangle in pixels from the top left corner of the picture.
 struct Rectangle {
   float left = 0.0f;
   float top = 0.0f;

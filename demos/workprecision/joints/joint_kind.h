@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// What acts on the bodies of a cell.
+/// The constraint or torque that acts on the bodies of a cell.
 enum class JointKind : std::uint8_t {
   hinge,   ///< to the world, through the body's centre
   motor,   ///< the same with a motor, which starts the body from rest
@@ -22,7 +22,7 @@ inline constexpr std::array kJointKinds = {JointKind::hinge, JointKind::motor, J
 
 std::string to_string(JointKind kind);
 
-/// Those of these names, in this order.
+/// Returns the kinds of these names, in this order.
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice
 std::vector<JointKind> find_joint_kinds(const std::vector<std::string>& names);
 

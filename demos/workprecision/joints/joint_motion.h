@@ -6,8 +6,8 @@
 
 namespace polhode::demos {
 
-/// A scene's run from the start to its end or to the divergence. The first second is for the start to settle:
-/// nothing is measured in it but the divergence.
+/// The result of a scene's run to its end or to the divergence. The scene settles in the first second, in
+/// which only a divergence counts.
 struct JointMotion {
   std::int64_t steps = 0;  ///< that went well
   bool diverged = false;   ///< the next one did not

@@ -71,7 +71,7 @@ bool JointScene::diverged() const {
   for (const auto& body : bodies_) {
     if (!within_limits(rotation_of(*body))) return true;
   }
-  // What is not a number is not less than anything either.
+  // Written so that NaN counts as diverged.
   return !(energy_J() <= kGreatestEnergyGain * reference_energy_J());
 }
 

@@ -13,7 +13,7 @@
 
 namespace polhode::demos {
 
-/// How a scene starts.
+/// The start of a scene.
 struct JointStart {
   double omega_dt;       ///< how far the body turns in a step, rad; of a spring the phase of its swing
   double inertia_ratio;  ///< I_3/I_1
@@ -21,8 +21,8 @@ struct JointStart {
   double dt_s;
 };
 
-/// A constrained body, or two, in a world of their own: no gravity, no damping, no contact, no sleep, 30
-/// iterations of the solver. All that is measured is read from Bullet's bodies, as an application sees them.
+/// A constrained body, or two, in a world of their own: no gravity, damping, contact or sleep, 30 iterations
+/// of the solver. Everything is measured on Bullet's bodies, as an application sees them.
 class JointScene {
  public:
   virtual ~JointScene();
@@ -31,25 +31,27 @@ class JointScene {
 
   void step();
 
-  /// How far the constraint is violated now, rad.
+  /// Returns the present violation of the constraint, rad.
   virtual double joint_error() const = 0;
-  /// Kinetic energy of all bodies, and what a spring holds.
+  /// Returns the kinetic energy of all bodies, plus the energy of a spring.
   virtual double energy_J() const;
-  /// What energy_J() is measured against: its value at the start, or what a motor shall bring it to.
+  /// Returns the energy that energy_J() is compared with: its value at the start, or the value that a motor
+  /// aims at.
   virtual double reference_energy_J() const { return start_energy_J_; }
-  /// How far the speed is from what a motor shall hold, relative to that; without a motor 0.
+  /// Returns the error of the speed that a motor shall hold, relative to that speed; 0 without a motor.
   virtual double speed_error() const { return 0.0; }
 
-  /// The constrained body; of a weld two.
+  /// Returns the constrained body; a weld has two.
   btRigidBody& body(std::size_t index = 0) { return *bodies_.at(index); }
 
-  /// Not finite, past the library's limits, diverged by the library's word, or grown past any use.
+  /// Returns true if a body is not finite, exceeds the library's limits, is reported as diverged by the
+  /// library, or has gained so much energy that the run is useless.
   bool diverged() const;
 
  protected:
   JointScene(const Contender& contender, const JointStart& start);
 
-  /// A body that collides with nothing.
+  /// Adds a body that collides with nothing.
   btRigidBody& add_body(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& position_W,
                         const Vector3& omega_W, const Vector3& velocity_W);
   void add_constraint(std::unique_ptr<btTypedConstraint> constraint);
@@ -59,15 +61,16 @@ class JointScene {
   virtual void after_step() {}
 
   const JointStart& start() const { return start_; }
-  /// rad/s
+  /// Returns the speed of the spin, rad/s.
   double speed() const { return start_.omega_dt / start_.dt_s; }
   Vector3 inertia_B() const;
-  /// The axis of spin in body axes.
+  /// Returns the axis of spin in body axes.
   Vector3 spin_axis_B() const;
-  /// The orientation in which the axis of spin lies along that axis of the world.
+  /// Returns the orientation in which the axis of spin lies along that axis of the world.
   Quaternion start_orientation(const Vector3& spin_axis_W) const;
 
-  /// Part of no world. Each scene has its own: Bullet's is one for all threads.
+  /// Returns a fixed body for joints to the world. Each scene has its own, because
+  /// btTypedConstraint::getFixedBody() is one for all threads.
   btRigidBody& ground() { return ground_; }
 
  private:

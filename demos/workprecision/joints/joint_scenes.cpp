@@ -14,7 +14,7 @@ namespace polhode::demos {
 
 namespace {
 
-// In general position: along no axis of the world.
+// An axis in general position: along no axis of the world.
 const Vector3 kSpinAxis(1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0);
 
 double angle_between(const Vector3& a, const Vector3& b) {
@@ -52,7 +52,8 @@ class HingeScene : public JointScene {
   btHingeConstraint* hinge_ = nullptr;
 };
 
-/// From rest to its speed within some two steps: strong enough to hold it against anything.
+/// Drives the body from rest to its speed within some two steps. The motor is strong enough to hold that
+/// speed against anything.
 class MotorScene final : public HingeScene {
  public:
   MotorScene(const Contender& contender, const JointStart& start) : HingeScene(contender, start, 0.0) {

@@ -4,10 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scenario/build_info.h"
 #include "workprecision/axes_json.h"
 #include "workprecision/joints/joint_motion.h"
-#include "world/run.h"
 
 namespace polhode::demos {
 
@@ -27,10 +25,6 @@ std::int64_t JointsGrid::cells_of_each() const {
 
 std::int64_t JointsGrid::steps() const {
   return std::llround(time_s / dt_s);
-}
-
-std::int64_t JointsGrid::cell_count() const {
-  return static_cast<std::int64_t>(contenders.size()) * cells_of_each();
 }
 
 JointCell joint_cell_at(const JointsGrid& grid, std::int64_t index) {
@@ -56,11 +50,7 @@ CellResult JointsGrid::computed(std::int64_t index) const {
 }
 
 std::string JointsGrid::description() const {
-  nlohmann::ordered_json json;
-  json["journal"] = "polhode_workprecision joints 1";
-  json["polhode_version"] = kVersion;
-  json["precision"] = bullet_precision();
-  for (const Contender& contender : contenders) json["contenders"].push_back(contender.name);
+  nlohmann::ordered_json json = description_start("polhode_workprecision joints 1");
   for (const JointKind kind : kinds) json["kinds"].push_back(to_string(kind));
   json["omega_dt"] = axis_json(omega_dt);
   json["inertia_ratio"] = axis_json(inertia_ratio);

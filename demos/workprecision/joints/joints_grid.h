@@ -4,41 +4,43 @@
 #include <string>
 #include <vector>
 
-#include "record/contender.h"
-#include "workprecision/axes.h"
 #include "workprecision/cell_map.h"
 #include "workprecision/joints/joint_kind.h"
 
 namespace polhode::demos {
 
-/// Schemes of these names, `exact` if there are none, and Bullet's four modes, which they are held against.
+/// Returns the schemes of these names, or `exact` if there are none, and then Bullet's four modes for
+/// comparison.
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice
 std::vector<Contender> schemes_and_bullet(const std::vector<std::string>& scheme_names);
 
-/// What is mapped: for each contender and kind a cell for each |omega| dt, inertia ratio I_3/I_1 and tilt.
+/// Has for each contender and kind a cell for each |omega| dt, inertia ratio and tilt. The cells of a
+/// contender go kind by kind, |omega| dt by |omega| dt, ratio by ratio.
 struct JointsGrid : CellMap {
-  std::vector<Contender> contenders = schemes_and_bullet({});
+  JointsGrid() : CellMap(schemes_and_bullet({}), {0.01, 3.0, 16}, {1.0, 20.0, 8}) {}
+
   std::vector<JointKind> kinds{kJointKinds.begin(), kJointKinds.end()};
-  LogarithmicAxis omega_dt{0.01, 3.0, 16};
-  LogarithmicAxis inertia_ratio{1.0, 20.0, 8};
   LinearAxis tilt{0.0, 1.5707963267948966, 7};
   double dt_s = 1.0 / 60.0;
   double time_s = 10.0;
 
-  /// Of each contender. Kind by kind, |omega| dt by |omega| dt, ratio by ratio.
-  std::int64_t cells_of_each() const;
   std::int64_t steps() const;
 
-  std::int64_t cell_count() const override;
-  /// Joint error, energy gain and a motor's speed error, as in JointMotion; all 0 if it diverged.
+  std::int64_t cells_of_each() const override;
+  /// Joint error, energy gain and a motor's speed error, as in JointMotion; all are 0 in a cell that
+  /// diverged.
   std::size_t figure_count() const override { return 3; }
   CellResult computed(std::int64_t index) const override;
   std::string description() const override;
   std::int64_t cells_in_round() const override;
   std::string csv(const std::vector<CellResult>& results) const override;
   std::string json(const std::vector<CellResult>& results) const override;
-  /// A table of the worst, and a line for each scheme: in how many cells it is worse than Bullet's default.
+  /// Returns a table of the worst figures, and a line for each scheme: in how many cells it is worse than
+  /// Bullet's default.
   std::string summary(const std::vector<CellResult>& results) const override;
+
+ private:
+  nlohmann::ordered_json figures_json(const CellResult& result) const override;
 };
 
 struct JointCell {
@@ -51,7 +53,8 @@ struct JointCell {
 
 JointCell joint_cell_at(const JointsGrid& grid, std::int64_t index);
 
-/// The figures of a cell that did not diverge. A motor works on its body: there is no energy to hold it to.
+/// The figures of a cell that did not diverge. A motor's energy gain means nothing: the motor works on its
+/// body.
 inline double joint_error(const CellResult& result) {
   return result.figures[0];
 }
@@ -60,9 +63,6 @@ inline double energy_gain(const CellResult& result) {
 }
 inline double speed_error(const CellResult& result) {
   return result.figures[2];
-}
-inline bool diverged(const CellResult& result) {
-  return result.diverged_step > 0;
 }
 
 }  // namespace polhode::demos

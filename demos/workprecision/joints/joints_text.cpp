@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The figures of a cell as they are written: those that it has.
+// The figures that are written for a cell. One that the cell does not have is empty.
 struct WrittenFigures {
   std::optional<double> joint_error;
   std::optional<double> energy_gain;
@@ -44,7 +44,7 @@ Json verdict_json(const JointsVerdict& verdict) {
           {"bullet_diverged", verdict.bullet_diverged}};
 }
 
-/// The worst of some cells; nothing where none has such a figure.
+/// The worst figures of some cells; empty where no cell has the figure.
 struct Worst {
   std::optional<double> joint_error;
   std::optional<double> energy_gain;
@@ -53,7 +53,7 @@ struct Worst {
 
   void add(const CellResult& result, JointKind kind) {
     const WrittenFigures figures = figures_of(result, kind);
-    // Nothing is less than any number.
+    // An empty optional is less than any number.
     joint_error = std::max(joint_error, figures.joint_error);
     energy_gain = std::max(energy_gain, figures.energy_gain);
     speed_error = std::max(speed_error, figures.speed_error);
@@ -94,33 +94,19 @@ std::string JointsGrid::csv(const std::vector<CellResult>& results) const {
 }
 
 std::string JointsGrid::json(const std::vector<CellResult>& results) const {
-  Json map = Json::parse(description());
-  map.erase("journal");
-  map["omega_dt"] = axis_values_json(omega_dt);
-  map["inertia_ratio"] = axis_values_json(inertia_ratio);
+  Json map = cells_json(results);
   map["tilt"] = axis_values_json(tilt);
-  Json list = Json::array();
-  for (const Contender& contender : contenders) {
-    Json entry = {{"name", contender.name}};
-    for (const char* key : {"joint_error", "energy_gain", "motor_speed_error", "diverged_at_step"}) {
-      entry[key] = Json::array();
-    }
-    list.push_back(entry);
-  }
-  for (const CellResult& result : results) {
-    const JointCell cell = joint_cell_at(*this, result.index);
-    const WrittenFigures figures = figures_of(result, cell.kind);
-    Json& contender = list[cell.contender];
-    contender["joint_error"].push_back(json_value(figures.joint_error));
-    contender["energy_gain"].push_back(json_value(figures.energy_gain));
-    contender["motor_speed_error"].push_back(json_value(figures.speed_error));
-    contender["diverged_at_step"].push_back(diverged(result) ? Json(result.diverged_step) : Json(nullptr));
-  }
-  map["contenders"] = list;
   for (const JointsVerdict& verdict : joints_verdicts(*this, results)) {
     map["verdicts"].push_back(verdict_json(verdict));
   }
   return map.dump() + "\n";
+}
+
+Json JointsGrid::figures_json(const CellResult& result) const {
+  const WrittenFigures figures = figures_of(result, joint_cell_at(*this, result.index).kind);
+  return {{"joint_error", json_value(figures.joint_error)},
+          {"energy_gain", json_value(figures.energy_gain)},
+          {"motor_speed_error", json_value(figures.speed_error)}};
 }
 
 std::string JointsGrid::summary(const std::vector<CellResult>& results) const {

@@ -8,7 +8,7 @@ namespace polhode::demos {
 
 namespace {
 
-// Adds a cell of the scheme's and the same cell of Bullet's.
+// Adds a cell of the scheme and the same cell of Bullet.
 void add(JointsVerdict& verdict, JointKind kind, const CellResult& scheme, const CellResult& bullet) {
   const bool motor = kind == JointKind::motor;
   const bool alone_diverged = diverged(scheme) && !diverged(bullet);
@@ -34,8 +34,8 @@ std::string part_text(std::int64_t part, std::int64_t all) {
   return number_text(part) + " of " + number_text(all);
 }
 
-// A cell of the scheme's joint error above the largest of Bullet's modes' in the same cell. The modes are the
-// contenders from `first_mode` on.
+// Returns by how much the scheme's joint error in a cell exceeds the largest of Bullet's modes in the same
+// cell. The modes are the contenders from `first_mode` on.
 double joint_error_excess(const JointsGrid& grid, const std::vector<CellResult>& results,
                           std::size_t first_mode, const CellResult& scheme) {
   const std::size_t cells = static_cast<std::size_t>(grid.cells_of_each());

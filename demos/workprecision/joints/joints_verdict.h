@@ -8,35 +8,36 @@
 
 namespace polhode::demos {
 
-/// In how many cells a scheme is worse than Bullet's default, bullet:implicit_body. A cell that diverged is
-/// worse in everything than one that did not.
+/// Counts the cells in which a scheme is worse than Bullet's default, bullet:implicit_body. A cell that
+/// diverged is worse in every figure than one that did not.
 struct JointsVerdict {
   std::string scheme;
   std::int64_t cells = 0;
   std::int64_t cells_with_energy = 0;  ///< all but the motor's
   std::int64_t worse_joint_error = 0;
   std::int64_t worse_energy_gain = 0;
-  std::int64_t worse_speed_error = 0;  ///< of the motor's
+  std::int64_t worse_speed_error = 0;  ///< among the motor's cells
   std::int64_t diverged = 0;
   std::int64_t bullet_diverged = 0;
-  /// How far its joint error goes above the worst of Bullet's modes, in cells of up to kResolved that are
-  /// sound with all of them; 0 if nowhere.
+  /// The largest excess of its joint error over the worst of Bullet's modes, in the cells up to kResolved in
+  /// which neither the scheme nor a mode diverged; 0 if there is no excess.
   double joint_error_excess = 0.0;
 };
 
-/// By how much a figure may be above Bullet's: more is worse.
+/// A figure is worse only if it exceeds Bullet's by more than this.
 inline constexpr double kJointErrorMargin = 1e-3;  // rad
 inline constexpr double kEnergyGainFloor = 1.02;   // E/E0 up to here is never worse
 inline constexpr double kEnergyGainFactor = 1.02;
 inline constexpr double kSpeedErrorMargin = 1e-2;
 
-/// rad a step: up to here a step resolves the gyroscopic motion, and a scheme is held to more.
+/// rad a step. A step up to here resolves the gyroscopic motion, so that a scheme has to meet a stricter
+/// criterion.
 inline constexpr double kResolved = 0.5;
 
-/// One for each scheme of the grid.
+/// Returns the verdict of each scheme of the grid.
 std::vector<JointsVerdict> joints_verdicts(const JointsGrid& grid, const std::vector<CellResult>& results);
 
-/// In one line.
+/// Returns the verdict in one line.
 std::string to_string(const JointsVerdict& verdict);
 
 }  // namespace polhode::demos

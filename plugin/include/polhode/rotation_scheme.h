@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// How well a scheme keeps a quantity of free motion.
+/// Grades how well a scheme keeps a quantity of free motion.
 enum class Conservation {
   exact,    ///< to rounding, for ever
   bounded,  ///< the error oscillates and does not grow with time
@@ -17,27 +17,30 @@ enum class Conservation {
 
 std::string_view to_string(Conservation conservation);
 
-/// "2", or "exact" for a motion without error.
+/// Returns the order as text: "2", or "exact" for a motion without error.
 std::string order_text(std::optional<int> order);
 
 /// The constant angular velocity that turns the body in a step of a scheme. Bullet's solver is given it for a
 /// body with contacts or joints.
 enum class TurnVelocity {
-  start,  ///< I_t^-1 L at the orientation of the start, after the kick. The scheme carries L.
-  end,    ///< the velocity at the end of the step. The scheme carries omega and adds a gyroscopic change.
-  mean,   ///< none: the body follows the curved free motion, and the mean velocity is the one that takes the
-          ///< orientation of the start to that of the end. The scheme carries L.
+  /// I_t^-1 L at the orientation of the start, after the kick. The scheme carries L.
+  start,
+  /// The velocity at the end of the step. The scheme carries omega and adds a gyroscopic change.
+  end,
+  /// None: the body follows the curved free motion. The solver is given the mean velocity, which takes the
+  /// orientation of the start to that of the end. The scheme carries L.
+  mean,
 };
 
-/// What a scheme says of itself. Tests hold every line of it against measurements.
+/// Describes a scheme in its own words. Tests check every line of it against measurements.
 struct SchemeDescription {
-  std::string_view name;                     ///< as in `set_scheme("name")`, whole words in snake_case
-  std::string_view summary;                  ///< one line
-  std::string_view source;                   ///< paper or text, with equation numbers
-  std::string_view fails_when;               ///< one line
-  std::optional<int> order = 1;              ///< of convergence of the orientation in dt, in free motion;
-                                             ///< none: the only error is rounding
-  Conservation energy = Conservation::lost;  ///< rotational kinetic energy
+  std::string_view name;        ///< as in `set_scheme("name")`, whole words in snake_case
+  std::string_view summary;     ///< one line
+  std::string_view source;      ///< paper or text, with equation numbers
+  std::string_view fails_when;  ///< one line
+  /// The order of convergence of the orientation in dt, in free motion; none if the only error is rounding.
+  std::optional<int> order = 1;
+  Conservation energy = Conservation::lost;            ///< rotational kinetic energy
   Conservation angular_momentum = Conservation::lost;  ///< the vector L_W
   Conservation rotation = Conservation::exact;         ///< R_WB stays a rotation: det R_WB = 1
   TurnVelocity turn_velocity = TurnVelocity::mean;
@@ -45,10 +48,10 @@ struct SchemeDescription {
 
 /// The input of one step, besides the state at its start.
 struct StepInput {
-  Vector3 inertia_B;      ///< principal moments, kg m^2, each > 0; may violate the triangle inequality
-  Vector3 delta_omega_W;  ///< kick: the change of velocity that torques and impulses make at the start of the
-                          ///< step, rad/s
-  double dt;              ///< length of the step, s; may be negative
+  Vector3 inertia_B;  ///< principal moments, kg m^2, each > 0; may violate the triangle inequality
+  /// Kick: the change of velocity that torques and impulses make at the start of the step, rad/s.
+  Vector3 delta_omega_W;
+  double dt;  ///< length of the step, s; may be negative
 };
 
 /// A way to rotate a body. Stateless: one object serves any number of bodies, worlds and threads.

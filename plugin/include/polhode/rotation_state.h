@@ -7,7 +7,7 @@ namespace polhode {
 
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
-/// Not aligned on purpose: an application compiled with AVX would otherwise lay it out differently from the
+/// Unaligned on purpose: an application compiled with AVX would otherwise lay it out differently from the
 /// library it links.
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "math/rotation.h"
+#include "polhode/rotation_math.h"
+#include "polhode/rotation_scheme.h"
 #include "scheme_base/wide_state.h"
 
 /// The step of the schemes of TurnVelocity::mean, which turn a body at constant momentum:
@@ -18,15 +20,26 @@ formulas::Vector<Real> kicked_L_W(const StepInputOf<Real>& input, const StateOf<
   return start.L_W + formulas::times_inertia_W<Real>(start.R_WB, input.inertia_B, input.delta_omega_W);
 }
 
-/// Steps by `turn_B(inertia_B, L_B, dt)`, the turn of free motion in body axes.
-template <class Turn>
-void kick_and_turn(const StepInput& input, RotationState& state, Turn turn_B) {
-  const Vector3 L_W = kicked_L_W<double>(input, state);
-  if (!L_W.isZero(0.0)) {  // a body at rest keeps its orientation to the last bit
-    const Quaternion rho_B = turn_B(input.inertia_B, Vector3(state.R_WB.transpose() * L_W), input.dt);
-    set_orientation(state, (state.q_WB * rho_B).normalized());
+/// A built-in scheme that turns by `free_turn(inertia_B, L_B, dt)`, the turn of free motion in body
+/// axes.
+template <Quaternion (*free_turn)(const Vector3& inertia_B, const Vector3& L_B, double dt)>
+class KickAndTurnScheme final : public RotationScheme {
+ public:
+  explicit KickAndTurnScheme(const SchemeDescription& description) : description_(description) {}
+
+  SchemeDescription description() const noexcept override { return description_; }
+
+  void step(const StepInput& input, RotationState& state) const noexcept override {
+    const Vector3 L_W = kicked_L_W<double>(input, state);
+    if (!L_W.isZero(0.0)) {  // a body at rest keeps its orientation to the last bit
+      const Quaternion rho_B = free_turn(input.inertia_B, Vector3(state.R_WB.transpose() * L_W), input.dt);
+      set_orientation(state, (state.q_WB * rho_B).normalized());
+    }
+    set_angular_momentum(state, input.inertia_B, L_W);
   }
-  set_angular_momentum(state, input.inertia_B, L_W);
-}
+
+ private:
+  SchemeDescription description_;
+};
 
 }  // namespace polhode::schemes

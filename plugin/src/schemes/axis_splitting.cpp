@@ -35,19 +35,14 @@ Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_start_B, double dt)
   return rho;
 }
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  kick_and_turn(input, state, turn_B);
-}
-
 }  // namespace
 
 const RotationScheme& axis_splitting() {
-  static const SchemeDefinition scheme(
+  static const KickAndTurnScheme<turn_B> scheme(
       {"axis_splitting", "turns about the principal axes in turn, symmetrically",
        "McLachlan 1993, Reich 1994, Touma and Wisdom 1994",
        "|omega| dt is not small: energy swings as (|omega| dt)^2; past 2 rad a step it wanders", 2,
-       Conservation::bounded, Conservation::exact, Conservation::exact},
-      step);
+       Conservation::bounded, Conservation::exact, Conservation::exact});
   return scheme;
 }
 

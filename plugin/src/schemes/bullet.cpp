@@ -10,7 +10,6 @@
 // Fails when: |omega| dt > pi/4: it then turns by 2 atan((|omega|/omega_c) tan(pi/8)), omega_c = pi/(4 dt),
 // less than the velocity it reports.
 #include "scheme_base/scheme_definition.h"
-#include "simd/instruction_sets.h"
 
 namespace polhode::schemes {
 
@@ -32,25 +31,14 @@ void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
   set_omega(state, input.inertia_B, omega_W);
 }
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_eight(const WideStepInput& input, WideState& state) noexcept {
-  step<Wide>(input, state);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void turn_eight(const Vector3Wide& omega_W, const Wide& dt, WideState& state) noexcept {
-  turn<Wide>(omega_W, dt, state);
-}
-
 }  // namespace
 
 const RotationScheme& bullet() {
-  static const WideSchemeDefinition scheme(
+  static const WideSchemeDefinition<step<Wide>, turn<Wide>> scheme(
       {"bullet", "Bullet's default update reproduced, the control",
        "Bullet 3.24, btRigidBody.cpp, btTransformUtil.h",
        "|omega| dt > pi/4: turns less than the velocity it reports", 1, Conservation::lost,
-       Conservation::lost, Conservation::exact, TurnVelocity::end},
-      step_eight, turn_eight);
+       Conservation::lost, Conservation::exact, TurnVelocity::end});
   return scheme;
 }
 

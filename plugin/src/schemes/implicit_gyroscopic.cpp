@@ -16,7 +16,6 @@
 // rad a step on the one Newton step may miss by far and energy leap up, a hundred-thousandfold if moments
 // differ much.
 #include "scheme_base/scheme_definition.h"
-#include "simd/instruction_sets.h"
 
 namespace polhode::schemes {
 
@@ -48,25 +47,14 @@ void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
   set_omega(state, input.inertia_B, omega_W);
 }
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_eight(const WideStepInput& input, WideState& state) noexcept {
-  step<Wide>(input, state);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void turn_eight(const Vector3Wide& omega_W, const Wide& dt, WideState& state) noexcept {
-  turn<Wide>(omega_W, dt, state);
-}
-
 }  // namespace
 
 const RotationScheme& implicit_gyroscopic() {
-  static const WideSchemeDefinition scheme(
+  static const WideSchemeDefinition<step<Wide>, turn<Wide>> scheme(
       {"implicit_gyroscopic", "gyroscopic torque by one Newton step of implicit Euler, which loses energy",
        "handout eq. 6-10, problem 4",
        "|omega| dt is not small: a tumble dies within seconds; past 1.4 energy may leap up", 1,
-       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end},
-      step_eight, turn_eight);
+       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end});
   return scheme;
 }
 

@@ -30,19 +30,14 @@ Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
   return formulas::cayley_turn_B({inertia_B, 0.5 * dt * L_B, 0.0}, inertia_B);
 }
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  kick_and_turn(input, state, turn_B);
-}
-
 }  // namespace
 
 const RotationScheme& implicit_midpoint() {
-  static const SchemeDefinition scheme(
+  static const KickAndTurnScheme<turn_B> scheme(
       {"implicit_midpoint", "implicit midpoint rule of Euler's equations with the Cayley map",
        "Austin, Krishnaprasad, Wang 1993; Lewis and Simo 1994",
        "|omega| dt is not small: a spin turns by 2 atan(|omega| dt / 2); past 2 some steps find no solution",
-       2, Conservation::exact, Conservation::exact, Conservation::exact},
-      step);
+       2, Conservation::exact, Conservation::exact, Conservation::exact});
   return scheme;
 }
 

@@ -18,7 +18,6 @@
 // as R swells, the momentum that a torque brings shrinks with it.
 #include "math/polar.h"
 #include "scheme_base/scheme_definition.h"
-#include "simd/instruction_sets.h"
 
 namespace polhode::schemes {
 
@@ -48,24 +47,13 @@ void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
   set_angular_momentum(state, input.inertia_B, L_W);
 }
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_eight(const WideStepInput& input, WideState& state) noexcept {
-  step<Wide>(input, state);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void turn_eight(const Vector3Wide& omega_W, const Wide& dt, WideState& state) noexcept {
-  turn<Wide>(omega_W, dt, state);
-}
-
 }  // namespace
 
 const RotationScheme& matrix() {
-  static const WideSchemeDefinition scheme(
+  static const WideSchemeDefinition<step<Wide>, turn<Wide>> scheme(
       {"matrix", "Euler step of the rotation matrix, which swells", "handout eq. 1-2, problem 1",
        "always in the end: det R grows by 1 + |omega|^2 dt^2 a step; on joints energy grows without bound", 1,
-       Conservation::lost, Conservation::exact, Conservation::lost, TurnVelocity::start},
-      step_eight, turn_eight);
+       Conservation::lost, Conservation::exact, Conservation::lost, TurnVelocity::start});
   return scheme;
 }
 

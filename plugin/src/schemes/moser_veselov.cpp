@@ -22,19 +22,14 @@ Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
   return formulas::cayley_turn_B({inertia_B, 0.5 * dt * L_B, 1.0}, inertia_B);
 }
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  kick_and_turn(input, state, turn_B);
-}
-
 }  // namespace
 
 const RotationScheme& moser_veselov() {
-  static const SchemeDefinition scheme(
+  static const KickAndTurnScheme<turn_B> scheme(
       {"moser_veselov", "the discrete rigid body of Moser and Veselov",
        "Moser and Veselov 1991; Hairer and Vilmart 2006",
        "|omega| dt is not small: a spin turns by asin(|omega| dt); past 1 few steps have a solution", 2,
-       Conservation::exact, Conservation::exact, Conservation::exact},
-      step);
+       Conservation::exact, Conservation::exact, Conservation::exact});
   return scheme;
 }
 

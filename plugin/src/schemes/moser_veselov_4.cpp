@@ -37,19 +37,14 @@ Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
   return formulas::cayley_turn_B({preprocessed(inertia_B, L_B, dt), 0.5 * dt * L_B, 1.0}, inertia_B);
 }
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  kick_and_turn(input, state, turn_B);
-}
-
 }  // namespace
 
 const RotationScheme& moser_veselov_4() {
-  static const SchemeDefinition scheme(
+  static const KickAndTurnScheme<turn_B> scheme(
       {"moser_veselov_4", "the discrete rigid body with preprocessed moments of inertia",
        "Hairer and Vilmart 2006",
        "|omega| dt > 1.4: a spin turns by asin(x - x^3/6), x = |omega| dt; past 2.2 no solution may be found",
-       4, Conservation::exact, Conservation::exact, Conservation::exact},
-      step);
+       4, Conservation::exact, Conservation::exact, Conservation::exact});
   return scheme;
 }
 

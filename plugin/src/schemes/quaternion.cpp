@@ -10,7 +10,6 @@
 //
 // The velocity left behind is I_{t+1}^-1 l, as in `matrix`.
 #include "scheme_base/scheme_definition.h"
-#include "simd/instruction_sets.h"
 
 namespace polhode::schemes {
 
@@ -34,24 +33,13 @@ void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
   set_angular_momentum(state, input.inertia_B, L_W);
 }
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_eight(const WideStepInput& input, WideState& state) noexcept {
-  step<Wide>(input, state);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void turn_eight(const Vector3Wide& omega_W, const Wide& dt, WideState& state) noexcept {
-  turn<Wide>(omega_W, dt, state);
-}
-
 }  // namespace
 
 const RotationScheme& quaternion() {
-  static const WideSchemeDefinition scheme(
+  static const WideSchemeDefinition<step<Wide>, turn<Wide>> scheme(
       {"quaternion", "Euler step of a unit quaternion at constant momentum", "handout eq. 3, problem 2",
        "|omega| dt is not small: turns by 2 atan(|omega| dt / 2); on joints energy grows without bound", 1,
-       Conservation::lost, Conservation::exact, Conservation::exact, TurnVelocity::start},
-      step_eight, turn_eight);
+       Conservation::lost, Conservation::exact, Conservation::exact, TurnVelocity::start});
   return scheme;
 }
 

@@ -39,19 +39,14 @@ Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
   return Quaternion(rho).normalized();
 }
 
-void step(const StepInput& input, RotationState& state) noexcept {
-  kick_and_turn(input, state, turn_B);
-}
-
 }  // namespace
 
 const RotationScheme& rk4() {
-  static const SchemeDefinition scheme(
+  static const KickAndTurnScheme<turn_B> scheme(
       {"rk4", "classical Runge-Kutta of the orientation at constant momentum",
        "Hairer, Norsett, Wanner 1993, section II.1",
        "it runs long: energy falls, by some (|omega| dt)^6/200 a step, until a plain spin is left", 4,
-       Conservation::lost, Conservation::exact, Conservation::exact},
-      step);
+       Conservation::lost, Conservation::exact, Conservation::exact});
   return scheme;
 }
 

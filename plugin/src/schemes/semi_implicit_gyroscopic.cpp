@@ -11,7 +11,6 @@
 // Fails when: it runs long enough. The torque is quadratic in omega, so the energy it gains feeds its own
 // growth.
 #include "scheme_base/scheme_definition.h"
-#include "simd/instruction_sets.h"
 
 namespace polhode::schemes {
 
@@ -36,24 +35,13 @@ void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
   set_omega(state, input.inertia_B, omega_W);
 }
 
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void step_eight(const WideStepInput& input, WideState& state) noexcept {
-  step<Wide>(input, state);
-}
-
-POLHODE_FOR_EACH_INSTRUCTION_SET
-void turn_eight(const Vector3Wide& omega_W, const Wide& dt, WideState& state) noexcept {
-  turn<Wide>(omega_W, dt, state);
-}
-
 }  // namespace
 
 const RotationScheme& semi_implicit_gyroscopic() {
-  static const WideSchemeDefinition scheme(
+  static const WideSchemeDefinition<step<Wide>, turn<Wide>> scheme(
       {"semi_implicit_gyroscopic", "gyroscopic torque by semi-implicit Euler, which gains energy",
        "handout eq. 4-5, problem 3", "it runs long: energy grows without bound until it overflows", 1,
-       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end},
-      step_eight, turn_eight);
+       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end});
   return scheme;
 }
 

@@ -80,8 +80,7 @@ const BadInput kBadInputs[] = {
     {"start_too_fast",
      {"--scenario", "DIR/fast.json", "--csv", "DIR/out.csv"},
      "DIR/fast.json: \"angular_velocity\", \"linear_velocity\", \"impulses\": together they make 1e+18 rad/s "
-     "or m/s; "
-     "valid is at most 1e+09"},
+     "or m/s; valid is at most 1e+09"},
     {"unknown_contender",
      {"--contender", "cubic", "--json", "DIR/out.json"},
      "valid are exact, matrix, quaternion, semi_implicit_gyroscopic, implicit_gyroscopic, bullet, "},

@@ -19,7 +19,7 @@ class Command {
   Command(const std::string& program, const std::vector<std::string>& arguments,
           const std::vector<std::string>& environment = {});
   void send_signal(int signal) const;
-  /// To be called once.
+  /// Waits for the end of the command. Call it once.
   CommandResult wait();
 
  private:

@@ -104,8 +104,8 @@ TEST(Compare, WritesEveryStepWithAllDigits) {
   const std::vector<std::string> lines = split(read_file(directory / "out.csv"), '\n');
   ASSERT_EQ(lines.size(), 1u + 9u * 101u);
   EXPECT_EQ(lines[0],
-            "contender,step,t_s,q_w,q_x,q_y,q_z,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s,L_x,L_y,L_z,energy_"
-            "J,det_R,attitude_error_rad");
+            "contender,step,t_s,q_w,q_x,q_y,q_z,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s,"
+            "L_x,L_y,L_z,energy_J,det_R,attitude_error_rad");
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const std::vector<std::string> cells = split(lines[i], ',');
     ASSERT_EQ(cells.size(), 16u);
@@ -118,7 +118,7 @@ TEST(Compare, WritesEveryStepWithAllDigits) {
   }
 }
 
-// What the report's page is given, without the page.
+// Returns the data that the report's page is given, without the page.
 nlohmann::json report_data(const std::string& html) {
   const std::string opening = "id=\"report-data\">";
   const std::size_t start = html.find(opening) + opening.size();

@@ -137,9 +137,8 @@ TEST_P(BadScenario, IsRefusedWithFileAndKeyAndWhatIsValid) {
 const std::string kVectorRange = "a list of 3 numbers, each a finite number between ";
 const std::string kTopKeys =
     "angular_velocity, constraint, damping, description, dt, duration, friction, gravity, ground, impulses, "
-    "inertia, "
-    "linear_velocity, mass, name, orientation, others, position, restitution, shape, solver_iterations, "
-    "torque";
+    "inertia, linear_velocity, mass, name, orientation, others, position, restitution, shape, "
+    "solver_iterations, torque";
 
 INSTANTIATE_TEST_SUITE_P(
     Missing, BadScenario,
@@ -176,8 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"constraint.x\": unknown key; valid are pivot_B, type"},
         BadText{body_with(R"(, "others": [{"inertia": [1, 2, 3], "dt": 1}])"),
                 "\"others[0].dt\": unknown key; valid are angular_velocity, damping, friction, impulses, "
-                "inertia, "
-                "linear_velocity, mass, orientation, position, restitution, shape"},
+                "inertia, linear_velocity, mass, orientation, position, restitution, shape"},
         BadText{body_with(R"(, "shape": {"type": "cone"})"),
                 "\"shape.type\": unknown shape \"cone\"; valid are sphere, box, compound"},
         BadText{body_with(R"(, "constraint": {"type": "hinge"})"),
@@ -202,8 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"gravity[2]\": must be a finite number between -1e+09 and 1e+09, is \"g\""},
         BadText{body_with(R"(, "orientation": [1, 0, 0])"),
                 "\"orientation\": must be a list of 4 numbers w, x, y, z, each a finite number between "
-                "-1e+06 and "
-                "1e+06, is [1,0,0]"},
+                "-1e+06 and 1e+06, is [1,0,0]"},
         BadText{body_with(R"(, "shape": "box")"), "\"shape\": must be an object {...}, is \"box\""},
         BadText{body_with(R"(, "others": {})"), "\"others\": must be a list of objects [{...}, ...], is {}"},
         BadText{body_with(R"(, "others": [1])"), "\"others[0]\": must be an object {...}, is 1"},
@@ -249,8 +246,7 @@ INSTANTIATE_TEST_SUITE_P(
             "expected '[', '{', or a literal; valid is a JSON object"},
         BadText{R"({"mass": NaN})",
                 "parse error at line 1, column 10: syntax error while parsing value - invalid literal; last "
-                "read: "
-                "'\"mass\": N'; valid is a JSON object"},
+                "read: '\"mass\": N'; valid is a JSON object"},
         BadText{body_with(R"(, "mass": 1e999)"),
                 "\"mass\": number overflow parsing '1e999'; valid is a finite number"},
         BadText{body_with(R"(, "mass": 1, "mass": 2)"),

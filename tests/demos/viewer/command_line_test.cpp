@@ -44,14 +44,14 @@ Picture read_picture(const std::filesystem::path& file) {
   return picture;
 }
 
-/// Those of the kept pictures. To make one anew, give polhode_viewer these.
+/// Returns the arguments that make the kept pictures. To make one anew, give them to polhode_viewer.
 std::vector<std::string> golden_arguments(const std::string& scenario, const std::string& file) {
   return {"--scenario", scenario,      "--contender",  "exact", "--contender", "matrix",
           "--at",       "0.25",        "--width",      "640",   "--height",    "320",
           "--teaching", "--no-panels", "--screenshot", file};
 }
 
-/// Of the pixels, by more than edges that are smoothed in another way do.
+/// Returns the part of the pixels that differ by more than edges that are smoothed in another way.
 double part_that_differs(const Picture& a, const Picture& b) {
   constexpr int kMostOfAChannel = 48;
   int differing = 0;

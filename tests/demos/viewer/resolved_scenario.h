@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// One of the demos' scenarios, with the inertia of its body's shape.
+/// Reads one of the demos' scenarios, with the inertia of its body's shape.
 inline Scenario resolved_scenario(const std::string& name) {
   return resolved(scenario_file(name));
 }

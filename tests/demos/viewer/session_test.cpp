@@ -1,4 +1,4 @@
-// What a user does with a session.
+// A user's actions on a session.
 #include "viewer/model/session.h"
 
 #include <gmock/gmock.h>

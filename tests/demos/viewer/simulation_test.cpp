@@ -62,7 +62,7 @@ TEST(Simulation, KeepsABoundedHistory) {
 }
 
 TEST(Simulation, GoesOnWithTheOthersAfterADivergence) {
-  // In polhode_compare, too, the matrix fails in step 36, at 1.08 s.
+  // The matrix also fails in step 36 in polhode_compare, at 1.08 s.
   Simulation simulation(resolved_scenario("dzhanibekov"), find_contenders({"exact", "matrix"}));
   for (int step = 1; step <= 35; ++step) EXPECT_TRUE(simulation.step().empty());
   EXPECT_EQ(simulation.step(), std::vector<std::string>{"matrix"});

@@ -115,7 +115,8 @@ TEST_F(WorkPrecision, MeasuresTheCostOfEveryContenderRelativeToBulletsDefault) {
   }
   const json& baseline = costs["contenders"].back();
   EXPECT_EQ(baseline["name"], "bullet:implicit_body");
-  // It is timed against itself. Wide, as other programs may run beside this test; measured 0.997 to 1.001
+  // It is timed against itself. The tolerance is wide because other programs may run beside this test;
+  // measured 0.997 to 1.001
   EXPECT_NEAR(baseline["free_ratio_to_implicit_body"].get<double>(), 1.0, 0.5);
   expect_documented_columns(read_file(file("out.csv")));
 }

@@ -1,5 +1,5 @@
-// What a joint's error and energy are, on scenes that are disturbed by a known amount; and how Bullet's plain
-// integration, which needs no library, does on each.
+// A joint's error and energy, on scenes that are disturbed by a known amount, and Bullet's plain integration
+// of each, which does not involve the library.
 #include "workprecision/joints/joint_scene.h"
 
 #include <gtest/gtest.h>
@@ -126,7 +126,7 @@ TEST(JointScene, DivergesWhenTheLibrarySaysSo) {
 
 TEST(JointScene, IsHeldByBulletWithoutAGyroscopicTerm) {
   for (const double omega_dt : {0.02, 0.3, 1.5}) {
-    // Without the term a hinge, a motor and a lock turn about a fixed axis: measured 6e-15 and 2e-6 rad.
+    // A hinge, a motor and a lock turn about a fixed axis, without the term: measured 6e-15 and 2e-6 rad.
     const double tolerance = kDouble ? 1e-13 : 1e-5;
     for (const JointKind kind : {JointKind::hinge, JointKind::lock}) {
       const JointMotion held = motion(kind, omega_dt, 1.0);

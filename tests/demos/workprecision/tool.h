@@ -18,7 +18,7 @@ inline CommandResult work_precision(const std::vector<std::string>& arguments) {
   return result;
 }
 
-/// Each column of a CSV's first line has to be named in demos/README.md.
+/// Expects that demos/README.md names each column of a CSV's first line.
 inline void expect_documented_columns(const std::string& csv) {
   const std::string readme = read_file(POLHODE_DEMOS_README);
   std::string header = csv.substr(0, csv.find('\n'));

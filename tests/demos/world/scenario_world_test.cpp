@@ -16,7 +16,7 @@
 namespace polhode::demos {
 namespace {
 
-// What a number of the scenario may lose on its way into Bullet's precision.
+// The relative error of a number of the scenario once it is in Bullet's precision.
 const double kRounding = static_cast<double>(SIMD_EPSILON);
 
 class EveryContender : public testing::TestWithParam<std::string> {};
@@ -104,8 +104,8 @@ TEST(ScenarioWorld, ReBasesACompoundToItsPrincipalAxes) {
   EXPECT_LT(inertia_B.x(), inertia_B.z()) << "x is the middle axis";
   EXPECT_EQ(scenario.body.omega_W, Vector3(10, 0.1, 0));
   EXPECT_EQ(scenario.dt, 1.0 / 60.0);
-  // By hand: a bar of 1 kg, half extents 0.5, 0.1, 0.1, and a stem of 0.8 kg, 0.1, 0.4, 0.1, at 0.5 m of each
-  // other.
+  // Computed by hand: a bar of 1 kg, half extents 0.5, 0.1, 0.1, and a stem of 0.8 kg, 0.1, 0.4, 0.1, at 0.5
+  // m of each other.
   const double between = 1.0 * 0.8 / 1.8 * 0.25;
   const Vector3 by_hand((0.02 + 0.8 * 0.17) / 3.0 + between, (0.26 + 0.8 * 0.02) / 3.0,
                         (0.26 + 0.8 * 0.17) / 3.0 + between);

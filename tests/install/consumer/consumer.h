@@ -6,7 +6,7 @@
 #define REQUIRE(condition) require((condition), #condition, __FILE__, __LINE__)
 void require(bool condition, const char* text, const char* file, int line);
 
-/// What a world of Bullet's is made of, for a body that nothing holds or touches.
+/// The parts of a Bullet world, for a body that nothing holds or touches.
 struct WorldParts {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};

@@ -10,7 +10,7 @@
 
 namespace {
 
-// Of the whole executable.
+// Counts the allocations of the whole executable.
 std::size_t allocations = 0;
 
 }  // namespace

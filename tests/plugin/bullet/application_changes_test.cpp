@@ -1,5 +1,5 @@
-// What the application changes between two steps is taken over, and the body goes on like one started there.
-// What it leaves alone is the library's, in double precision.
+// The library takes over what the application changes between two steps, and the body goes on like one
+// started there. The rest stays the library's, in double precision.
 #include <gtest/gtest.h>
 
 #include <functional>

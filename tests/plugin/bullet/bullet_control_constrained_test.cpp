@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kUlp = std::numeric_limits<btScalar>::epsilon();
 
-/// How far two scenes of the same bodies are apart, in ulp: of a radian, of a metre, of the fastest velocity
-/// of the scene (which is at least 1 rad/s or m/s). The worst body counts.
+/// Returns the distance between two scenes of the same bodies, in ulp: of a radian, of a metre, of the
+/// fastest velocity of the scene (which is at least 1 rad/s or m/s). The worst body counts.
 template <class Scene, class OtherScene>
 double ulps_apart(const Scene& scene, const OtherScene& other) {
   double fastest = 1, apart = 0, velocities_apart = 0;

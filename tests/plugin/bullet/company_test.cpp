@@ -49,7 +49,7 @@ void apply_torque_B(btRigidBody& body, const btVector3& torque_B) {
   body.applyTorque(body.getWorldTransform().getBasis() * torque_B);
 }
 
-// What an application does before one of the steps; most bodies are left alone in most steps.
+// Changes a body as an application does before one of the steps; most bodies are left alone in most steps.
 void act_on(btRigidBody& body, int number, int step) {
   if ((number + step) % 20 == 0) make_usual_again(body);
   // All of them at once.
@@ -138,7 +138,7 @@ void act_on(btRigidBody& body, int number, int step) {
       !same(a.getInterpolationAngularVelocity(), b.getInterpolationAngularVelocity())) {
     return ::testing::AssertionFailure() << "interpolated velocity";
   }
-  // Where the pose that was predicted in the step shows.
+  // The broadphase box shows the pose that was predicted in the step.
   if (!same(a.getBroadphaseHandle()->m_aabbMin, b.getBroadphaseHandle()->m_aabbMin) ||
       !same(a.getBroadphaseHandle()->m_aabbMax, b.getBroadphaseHandle()->m_aabbMax)) {
     return ::testing::AssertionFailure() << "bounding box";

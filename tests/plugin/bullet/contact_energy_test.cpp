@@ -11,7 +11,8 @@
 namespace polhode::testing {
 namespace {
 
-// Where contacts push bodies apart by their velocity, and where by a velocity of its own (Bullet's default).
+// Chooses how contacts push bodies apart: by the bodies' velocity, or by a velocity of its own (split;
+// Bullet's default).
 template <class AnyScene>
 void split_impulse(AnyScene& scene, bool split) {
   scene.world().getSolverInfo().m_splitImpulse = split;

@@ -31,7 +31,7 @@ struct Flight {
   double attitude_error(RotationControl& rotation, int steps) const {
     return truth.attitude_error_after(rotation.rotation_of(*body).state.q_WB, steps, kDt);
   }
-  // What Bullet's pose is off the library's state.
+  // Returns the distance of Bullet's pose from the library's state.
   double shown_error(RotationControl& rotation) const {
     return angle_between(basis_of(*body), rotation.rotation_of(*body).state.R_WB);
   }

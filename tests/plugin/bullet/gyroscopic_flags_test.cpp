@@ -14,7 +14,7 @@ constexpr int kImplicitWorld = BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD;
 constexpr int kImplicitBody = BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 constexpr int kEveryKind = kExplicit | kImplicitWorld | kImplicitBody;
 
-// What an application may have set.
+// The flags that an application may have set.
 constexpr int kChoices[] = {0, kExplicit, kImplicitWorld, kImplicitBody, kEveryKind};
 
 constexpr btScalar kDt = btScalar(1.0 / 60);
@@ -76,7 +76,7 @@ TYPED_TEST(GyroscopicFlags, AreOffWhileBulletSolves) {
   EXPECT_EQ(solver.seen, BT_DISABLE_WORLD_GRAVITY);
 }
 
-// What they say is not what the body does, so that a change of them changes nothing.
+// The flags do not decide how the body turns, so that changing them changes nothing.
 TYPED_TEST(GyroscopicFlags, ChangeNoBit) {
   for (const int flags : kChoices) {
     TypeParam scene;

@@ -122,7 +122,7 @@ TEST_F(Dzhanibekov, SemiImplicitBlowsUpNearStep881) {
     scene_.step(btScalar(0.03));
     ++steps_taken;
   }
-  // By then the rounding of the first steps has grown to the size of the motion, and decides the step:
+  // The rounding of the first steps has grown to the size of the motion by then, and decides the step:
   // measured 880 in single and 899 in double precision, 886 by the reference.
   EXPECT_NEAR(steps_taken, 881, 40);
 }

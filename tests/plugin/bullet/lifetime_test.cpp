@@ -180,7 +180,7 @@ TEST(RemovedBody, IsForgottenByAStepWithoutIt) {
   EXPECT_EQ(plugin.rotation().rotation_of(body).scheme, default_scheme()->description().name);
 }
 
-// What the plugin does between detach and attach is nothing: Bullet turns the body, its own flags back.
+// The plugin does nothing between detach and attach: Bullet turns the body, which has its own flags back.
 TEST(DetachedPlugin, LeavesTheWorldToBulletAndGoesOnWhenAttachedAgain) {
   Scene<> scene;
   RotationPlugin plugin(scene.world());

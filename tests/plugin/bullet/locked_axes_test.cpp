@@ -124,8 +124,8 @@ TYPED_TEST(LockedAxes, LeaveAPlanarBodyInItsPlane) {
   }
 }
 
-// Of a body that lies along the world's axes. Askew, Bullet's solver makes a velocity of the torque by all of
-// I_W^-1, the factor notwithstanding.
+// The body lies along the world's axes. For a body askew, Bullet's solver makes a velocity of the torque by
+// all of I_W^-1, whatever the factor.
 TYPED_TEST(LockedAxes, TakeNoTorqueOfABodyThatLiesStraight) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);

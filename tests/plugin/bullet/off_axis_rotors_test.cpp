@@ -98,7 +98,7 @@ FramedRotor add_framed(AnyScene& scene, const Rotor& rotor, double speed) {
   return {frame, turning, hinge, to_double(axis_B)};
 }
 
-// What Bullet can be told of the gyroscopic term: nothing, and three ways to add it.
+// Bullet's ways to treat the gyroscopic term: leave it out, and three ways to add it.
 constexpr int kBulletsModes[] = {0, BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT,
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD,
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY};
@@ -177,7 +177,7 @@ TYPED_TEST(OffAxisRotors, StayOnADrivenHingeBetweenTwoBodies) {
   }
 }
 
-/// How far the momentum of frame and rod gets from its start, relative to it.
+/// Returns how far the momentum of frame and rod gets from its start, relative to it.
 template <class AnyScene>
 double momentum_off(AnyScene& scene, double speed) {
   const FramedRotor framed = add_framed(scene, kRotors[0], speed);

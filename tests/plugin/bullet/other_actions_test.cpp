@@ -132,7 +132,7 @@ TYPED_TEST(OtherActions, SeeThePoseAndVelocityThatTheStepEndsWith) {
   }
 }
 
-// By three ways of writing it, none of which changes a number.
+// Writes the orientation in three ways, none of which changes a number.
 TYPED_TEST(OtherActions, ThatWriteTheSameOrientationChangeNothing) {
   Scene<RotationWorld<btDiscreteDynamicsWorld>> left_scene;
   btRigidBody& left = left_scene.add_free(btVector3(1, 2, 3), btVector3(10, 7, 13));

@@ -81,7 +81,7 @@ TYPED_TEST(SplitImpulse, TurnsTheControlAsBulletTurnsIt) {
   });
 }
 
-// What was taken over stays: afterwards the body turns by its velocity from there.
+// The change that was taken over stays: afterwards the body turns by its velocity from there.
 TYPED_TEST(SplitImpulse, IsOverWhenTheBodyIsOut) {
   TypeParam scene;
   btRigidBody& box = add_sunk_box(scene);

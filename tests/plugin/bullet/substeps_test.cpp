@@ -22,7 +22,7 @@ struct Stage {
   }
 
   btRigidBody& body() { return *body_; }
-  /// What is drawn.
+  /// Returns the orientation that is drawn.
   Matrix3 shown() const { return to_double(motion_state.m_graphicsWorldTrans.getBasis()); }
 
   btDefaultMotionState motion_state{btTransform(kTilted)};

@@ -215,7 +215,7 @@ TYPED_TEST(TwoWaysIn, AgreeWithChangesBetweenSteps) {
   }
 }
 
-// By tick callbacks, which run at the two ends of a step.
+// Tick callbacks, which run at the two ends of a step, make the changes.
 TYPED_TEST(TwoWaysIn, AgreeWithChangesWithinAStep) {
   for (const bool pre : {true, false}) {
     BothAtOnce<TypeParam> both;

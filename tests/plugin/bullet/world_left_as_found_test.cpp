@@ -20,7 +20,7 @@ namespace {
 
 constexpr btScalar kDt = btScalar(1.0 / 60);
 
-/// What a world keeps to itself.
+/// Gives access to the protected members of a world.
 class Members : public btDiscreteDynamicsWorld {
  public:
   static btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world) {
@@ -150,7 +150,7 @@ TYPED_TEST(WorldLeftAsFound, AfterManyRoundsOfDetachingAndAttaching) {
   EXPECT_TRUE(plugin.rotation().manages(*this->body_));
 }
 
-// What the application changes while a plugin is attached is kept.
+// Changes that the application makes while a plugin is attached are kept.
 TYPED_TEST(WorldLeftAsFound, WithWhatTheApplicationChangedMeanwhile) {
   RotationPlugin plugin(this->world());
   this->world().getSimulationIslandManager()->setSplitIslands(false);

@@ -36,7 +36,7 @@ TEST(RotationMath, ExponentialIsAxisAndAngleOnBothSidesOfItsSeries) {
   EXPECT_EQ(exponential(Vector3::Zero()).coeffs(), Quaternion::Identity().coeffs());
 }
 
-// Of the truth in extended precision, where there is any.
+// The error is measured against extended precision, where the platform has it.
 TEST(RotationMath, ExponentialOfLargeTurnsIsAccurate) {
   RandomBody random(3);
   for (double angle = 1.0; angle <= 1e6; angle *= 1.01) {

@@ -45,7 +45,7 @@ TEST(SineCosine, OfLargeNumbersAreGoodToAnUlpOfOne) {
   EXPECT_LE(worst, kUlp);  // measured 1.81e-16
 }
 
-// Where the argument that is left cancels most, and where the quadrant changes.
+// The reduced argument cancels most at these multiples, and the quadrant changes there.
 TEST(SineCosine, OfMultiplesOfAnEighthTurnAreGoodToAnUlpOfOne) {
   double worst = 0.0;
   for (int k = -600000; k <= 600000; k += k % 7 == 0 ? 1 : 13) {

@@ -42,7 +42,7 @@ struct Body {
   int changed_every = 0;   // steps: the application changes its state
   std::vector<double> memory = std::vector<double>(exact().memory_rows(), 0.0);
 
-  /// What happens between two steps.
+  /// Changes the body between two steps.
   void change(int step) {
     if (swelling != 0.0 && 2 * step == kSteps) memory.assign(memory.size(), 0.0);
     if (changed_every == 0 || step % changed_every != 0) return;

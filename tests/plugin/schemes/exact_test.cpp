@@ -46,7 +46,7 @@ class FreeRun {
   double energy_error() const { return energy_error_; }      // the worst so far, relative
   double momentum_error() const { return momentum_error_; }  // of the vector L_W
 
-  /// What one rounding of the start does to the truth at the present time, rad.
+  /// Returns how far one rounding of the start moves the truth at the present time, rad.
   double conditioning() const {
     const Vector3 rounded_L_W = start_.L_W + 1.1e-16 * start_.L_W.norm() * Vector3(1, -1, 1);
     const FreeTop neighbour(inertia_B_, start_.q_WB, rounded_L_W);
@@ -210,7 +210,7 @@ TEST(Exact, IsTheSameAtAnySpeed) {
   }
 }
 
-// What the memory holds is a shortcut: without it every step is set up anew, to rounding the same.
+// The memory is a shortcut: without it every step is set up anew, with the same result up to rounding.
 TEST(Exact, NeedsNoMemory) {
   const SchemePointer scheme = find_scheme("exact");
   const Vector3 inertia_B(1, 2, 3);

@@ -1,5 +1,5 @@
-// What is special to each scheme of the gallery: orders over several motions, the discrete equations that it
-// is said to solve, reversibility, and the failure that it declares.
+// The properties special to each scheme of the gallery: orders over several motions, the discrete equations
+// that it is said to solve, reversibility, and the failure that it declares.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// What the handout's schemes do past the limits that they declare.
+// The handout's schemes past the limits that they declare.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -75,7 +75,7 @@ class PeriodicPart {
   HyperbolicSeries<R> hyperbolic_series_;
 };
 
-/// How the closed form lies in the world and in the body: q_WB = q_WL q_LP q_PB.
+/// The placement of the closed form in the world and in the body: q_WB = q_WL q_LP q_PB.
 struct Placement {
   Constants constants;
   Axes axes;

@@ -12,7 +12,7 @@ namespace polhode::oracle {
 /// (free_top.cpp has the formulas). An answer costs the same at any time: nothing is integrated.
 class FreeTop {
  public:
-  /// Principal moments in kg m^2, each above 0 (the triangle inequality need not hold); the orientation at
+  /// Principal moments in kg m^2, each above 0 (they may violate the triangle inequality); the orientation at
   /// t = 0, of any length but 0; the angular momentum in world axes. All are taken for exact numbers.
   /// @throws std::invalid_argument for anything else.
   FreeTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& L_W);

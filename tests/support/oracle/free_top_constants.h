@@ -4,7 +4,7 @@
 
 namespace polhode::oracle {
 
-/// Where in its periods a motion is.
+/// The position of a motion in its periods.
 struct Phases {
   Real lambda;              ///< of a and b, reduced to |lambda| <= pi
   Real u;                   ///< reduced to |u| <= K

@@ -152,7 +152,7 @@ TEST_P(EachFreeBody, IsQuicklyComparedWithinARoundingOfTheExactComparison) {
   const FreeBody& body = GetParam();
   const FreeTop top = top_of(body);
   const double rate = body.L_W.norm() / body.inertia_B.minCoeff();
-  // Of few digits, so that its multiples are exact.
+  // The step has few digits, so that its multiples are exact.
   const double dt = static_cast<float>(rate > 0.0 ? 10.0 / rate / 1024.0 : 1.0);
   for (const std::int64_t steps : {1, 1000, 3686400}) {  // the last is an hour at 10 rad/s
     const double t_s = dt * static_cast<double>(steps);

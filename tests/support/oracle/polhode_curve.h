@@ -12,7 +12,7 @@ struct Axis {
   int sign = 1;
 };
 
-/// Which of B's axes are those of P.
+/// The axes of B that are those of P.
 using Axes = std::array<Axis, 3>;
 
 /// The axes of P for this start.

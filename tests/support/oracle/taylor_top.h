@@ -18,10 +18,10 @@ class TaylorTop {
 
   Quaternion q_WB() const;
   Vector3 L_B() const;
-  /// As FreeTop::attitude_error.
+  /// Returns the error as FreeTop::attitude_error does.
   double attitude_error(const Quaternion& q_WB) const;
-  /// How far q_WB L_B and |q_WB| have moved from the start's, relative to it: what they should be is not
-  /// imposed.
+  /// Returns how far q_WB L_B and |q_WB| have moved from the start, relative to it. The integration does not
+  /// impose that they are kept.
   double drift() const;
 
  private:

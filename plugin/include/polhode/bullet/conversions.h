@@ -5,7 +5,7 @@
 #include "polhode/bullet/precision.h"
 #include "polhode/rotation_state.h"
 
-/// Between Bullet's types, in its precision, and ours. From Bullet to us nothing is lost.
+/// Converts between Bullet's types, in its precision, and ours. The conversion from Bullet loses nothing.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -23,8 +23,8 @@ inline btVector3 to_bullet(const Vector3& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
-// Number by number and in place: a copy in vectors of what was stored number by number just before would wait
-// for it.
+// Converts number by number and in place: a vectorized copy would stall on numbers that were stored one by
+// one just before.
 inline void to_bullet(const Matrix3& m, btMatrix3x3& result) {
   const auto rounded = [&m](int row, int column) { return static_cast<btScalar>(m(row, column)); };
   result.setValue(rounded(0, 0), rounded(0, 1), rounded(0, 2), rounded(1, 0), rounded(1, 1), rounded(1, 2),
@@ -37,12 +37,12 @@ inline btMatrix3x3 to_bullet(const Matrix3& m) {
   return result;
 }
 
-/// The rotation that a basis of Bullet's stands for.
+/// Returns the rotation that a Bullet basis represents.
 inline Quaternion to_quaternion(const btMatrix3x3& basis) {
   return Quaternion(to_double(basis)).normalized();
 }
 
-/// Equal values in every component; the fourth, which Bullet pads with, does not count.
+/// Returns true if every component is equal; the fourth, with which Bullet pads, does not count.
 inline bool same(const btVector3& a, const btVector3& b) {
   return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
 }

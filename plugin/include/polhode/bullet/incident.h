@@ -21,8 +21,9 @@ struct Incident {
   std::uint64_t body_steps;  ///< steps the body had taken with its scheme
 };
 
-/// Called at the end of a step, when its bodies are done; once for each body and kind. It may choose another
-/// scheme for the body, release it or take it out of the world. What it throws is dropped.
+/// Called at the end of a step, when its bodies are done; once for each body and kind. The handler may choose
+/// another scheme for the body, release it or take it out of the world. An exception from the handler is
+/// dropped.
 using IncidentHandler = std::function<void(const Incident&)>;
 
 }  // namespace POLHODE_PRECISION

@@ -1,9 +1,10 @@
 #pragma once
 
-/// Which of Bullet's two precisions this code is compiled for. Bullet's libraries export the same symbols in
-/// both, so that a mix links and then crashes; everything here lives in a namespace named after the
-/// precision, and a mix is refused when compiled (below) or linked (the namespace), else named on stderr when
-/// the program is loaded and refused when a world is taken on (require_matching_bullet).
+/// The one of Bullet's two precisions that this code is compiled for. Bullet's libraries export the same
+/// symbols in both, so that a mix links and then crashes. Everything here therefore lives in a namespace
+/// named after the precision. A mix is refused when compiled (below) or linked (the namespace); a mix that
+/// passes both is named on stderr when the program is loaded, and refused when a world is taken on
+/// (require_matching_bullet).
 
 #include <LinearMath/btScalar.h>
 

@@ -16,18 +16,18 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// What the library knows of a body it rotates, in double precision.
+/// Holds the rotation of a body that the library rotates, in double precision.
 struct BodyRotation {
-  RotationState
-      state;  ///< q_WB, R_WB, omega_W, L_W. In a joint or a contact L_W, and omega_W with it, runs half
-              ///< a step beside the velocity that the body shows
+  /// q_WB, R_WB, omega_W, L_W. In a joint or a contact L_W, and omega_W with it, runs half a step beside the
+  /// velocity that the body shows.
+  RotationState state;
   double energy_J = 0.0;    ///< rotational kinetic energy
-  std::uint64_t steps = 0;  ///< taken with the present scheme
-  std::uint64_t unresolved_steps =
-      0;                    ///< of these, without a gyroscopic term: in a joint or a contact, and dt too long
-                            ///< to resolve the body's gyroscopic motion there (take a shorter one)
+  std::uint64_t steps = 0;  ///< steps taken with the present scheme
+  /// The steps of these that had no gyroscopic term: in a joint or a contact, with dt too long to resolve the
+  /// body's gyroscopic motion there (take a shorter one).
+  std::uint64_t unresolved_steps = 0;
   bool diverged = false;    ///< the scheme blew up: `state` is the last finite one, the body spins no more
-  std::string_view scheme;  ///< its name; valid as long as the scheme
+  std::string_view scheme;  ///< the scheme's name; valid as long as the scheme
 };
 
 class WorldStepper;
@@ -35,13 +35,13 @@ class RotationPlugin;
 template <class Base>
 class RotationWorld;
 
-/// Which body of a world is rotated by which scheme, and how they are doing. A RotationWorld and a
-/// RotationPlugin each have one, `rotation()`.
+/// Chooses which bodies of a world are rotated by which scheme, and reports their state. A RotationWorld and
+/// a RotationPlugin each have one, `rotation()`.
 ///
 /// Every dynamic body has the world's default scheme unless it was told otherwise. A body's choice lasts
 /// until it is absent from the world during a step; it survives being removed and added again between two
-/// steps. Bodies are as the application left them outside a step: their gyroscopic flags are cleared within
-/// it only, so that the term does not count twice. Not thread-safe: call it from where you call
+/// steps. Outside a step bodies are as the application left them: their gyroscopic flags are cleared within
+/// the step only, so that the term does not count twice. Not thread-safe: call it from where you call
 /// stepSimulation.
 class RotationControl {
  public:
@@ -56,32 +56,32 @@ class RotationControl {
   /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or a null pointer.
   void set_default_scheme(std::string_view name);
   void set_default_scheme(SchemePointer scheme);
-  /// Only bodies with a scheme of their own are rotated by the library from now on.
+  /// Removes the default scheme: from now on the library rotates only bodies with a scheme of their own.
   void clear_default_scheme();
 
-  /// The body is rotated by this scheme from the next step on, starting afresh from its present pose and
+  /// Rotates the body by this scheme from the next step on, starting afresh from its present pose and
   /// velocity (a diverged body too).
-  /// @throws std::invalid_argument for an unknown name, a null pointer, a static body, or an object that is no
-  /// btRigidBody (a link of a btMultiBody).
+  /// @throws std::invalid_argument for an unknown name, a null pointer, a static body, or an object that is
+  /// no btRigidBody (a link of a btMultiBody).
   void set_scheme(btCollisionObject& body, std::string_view name);
   void set_scheme(btCollisionObject& body, SchemePointer scheme);
-  /// The body has the world's default scheme again.
+  /// Gives the body the world's default scheme again.
   void use_default_scheme(btCollisionObject& body);
-  /// Bullet rotates the body again.
+  /// Gives the body back to Bullet, which rotates it again.
   void release(btCollisionObject& body);
   /// @}
 
-  /// Whether the library rotates this body: it is in the world, dynamic at present, and has a scheme.
+  /// Returns true if the library rotates this body: it is in the world, dynamic at present, and has a scheme.
   bool manages(const btRigidBody& body) const;
-  /// The body's rotation as it stands: the library's double state where the body is bit for bit as the last
-  /// step left it, else what the body says now.
+  /// Returns the body's present rotation: the library's double state if the body is bit for bit as the last
+  /// step left it, else the body's own values.
   /// @throws std::invalid_argument if the body is not managed.
   BodyRotation rotation_of(const btRigidBody& body) const;
   std::size_t managed_bodies() const;
 
   /// Replaces the handler; an empty one is allowed. Without a handler incidents are only counted.
   void set_incident_handler(IncidentHandler handler);
-  /// Incidents since the start, also those after a body's first.
+  /// Returns the number of incidents since the start, also those after a body's first.
   std::uint64_t incidents() const;
 
  private:
@@ -91,7 +91,7 @@ class RotationControl {
 
   explicit RotationControl(btDynamicsWorld& world);
 
-  // The stages of a step, see RotationWorld. `bullet` is what Bullet's class does in the stage.
+  // The stages of a step, see RotationWorld. `bullet` does what Bullet's class does in the stage.
   using BulletsStage = std::function<void()>;
   void predict_unconstrained_motion(btScalar dt, const BulletsStage& bullet);
   void create_predictive_contacts(btScalar dt, const BulletsStage& bullet);

@@ -9,18 +9,18 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Rotates the bodies of a world that somebody else made: `RotationPlugin plugin(world);`.
+/// Rotates the bodies of a world that the application made: `RotationPlugin plugin(world);`.
 ///
-/// It attaches to two places of the world: an island manager of its own stands in for the world's, to see the
-/// start of each solve, and it is the first of the world's actions, to replace the turn that Bullet made
-/// right after its integration. The tick callbacks, the user pointers, the solver and the class of the world
-/// stay the application's, and other actions see and change finished bodies. detach() leaves the world
-/// exactly as it was found. A RotationPlugin and a RotationWorld give the same bits.
+/// Attaches to two places of the world. An island manager of the plugin's own stands in for the world's, to
+/// see the start of each solve. The first of the world's actions is the plugin's, to replace the turn that
+/// Bullet made right after its integration. The tick callbacks, the user pointers, the solver and the class
+/// of the world stay the application's, and other actions see and change finished bodies. detach() leaves the
+/// world exactly as it was found. A RotationPlugin and a RotationWorld give the same bits.
 ///
 /// Lifetime: plugin and world may be destroyed in either order. After the world is gone the plugin is
-/// detached for good. Who replaces the world's island manager while the plugin is attached should detach() it
-/// first: until the plugin's own is back, Bullet rotates the bodies (attached() is false), and the plugin is
-/// not told of the world's end.
+/// detached for good. Before the application replaces the world's island manager it should detach() the
+/// plugin: until the plugin's own island manager is back, Bullet rotates the bodies (attached() is false),
+/// and the plugin is not told of the world's end.
 class RotationPlugin final {
  public:
   /// Attaches to `world`.
@@ -37,12 +37,12 @@ class RotationPlugin final {
 
   /// Gives every body back to Bullet and leaves the world; choices, default scheme and handler are kept. Does
   /// nothing if not attached.
-  /// Not from within a step: the action after the plugin's would be skipped in it.
+  /// Do not call it within a step: the action after the plugin's would be skipped.
   void detach();
   /// Attaches again to the same world. Does nothing if attached.
   /// @throws std::invalid_argument as the constructor; std::logic_error if the world is gone.
   void attach();
-  /// Whether bodies are rotated by their schemes now.
+  /// Returns true while bodies are rotated by their schemes.
   bool attached() const;
 
  private:

@@ -19,8 +19,8 @@ inline namespace POLHODE_PRECISION {
 /// btDiscreteDynamicsWorldMt, btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld (its rigid bodies; links of
 /// a btMultiBody are Bullet's), or a subclass of the application's own.
 ///
-/// Against RotationPlugin, which gives the same bits, it is faster: over one of Bullet's own four classes the
-/// library integrates the bodies itself, where Bullet would turn each of them three times more in a step.
+/// Gives the same bits as RotationPlugin and is faster: over one of Bullet's own four classes the library
+/// integrates the bodies itself, where Bullet would turn each of them three times more in a step.
 template <class Base>
 class RotationWorld : public Base {
   static_assert(std::is_base_of<btDiscreteDynamicsWorld, Base>::value,
