@@ -1,14 +1,11 @@
 #include <limits>
 
-#include "bullet/batch/begin_step.h"
-#include "bullet/batch/scheme_step.h"
 #include "bullet/batch/stages.h"
 #include "bullet/batch/write_step.h"
-#include "bullet/body/clamped_step.h"
 #include "bullet/body/external_changes.h"
+#include "bullet/body/integrated_pose.h"
 #include "bullet/body/locked_axes.h"
 #include "bullet/body/non_finite.h"
-#include "bullet/body/split_impulse.h"
 #include "math/mean_angular_velocity.h"
 #include "polhode/bullet/conversions.h"
 #include "simd/instruction_sets.h"
@@ -60,7 +57,7 @@ LaneBits lanes_to_step(Batch& batch, const LaneBits& lanes, const Solved& solved
     if (!lanes[lane]) continue;
     btRigidBody& body = *batch.bodies[lane];
     if (!solved.finite[lane] && !is_finite(body)) {
-      sanitize_lane(batch, lane);
+      batch.sanitize(lane);
       stepping.reset(lane);
     } else if (!moves(body)) {
       if (batch.given_effective[lane] || batch.held[lane]) body.updateInertiaTensor();
@@ -119,7 +116,7 @@ void turn_by_solved(Batch& batch, const LaneBits& lanes, const WideStepInput& in
   Vector3Wide velocity_W;
   find_turn_velocity(batch, solved, input.delta_omega_W, velocity_W);
   WideState turned = batch.wide_state();
-  turn_lanes(batch, lanes, velocity_W, context.dt, turned);
+  batch.turn(lanes, velocity_W, context.dt, turned);
   find_turned_momentum(batch, body_pointers(batch, lanes, context.bullet.nobody()), velocity_W,
                        input.delta_omega_W, input.dt, turned);
   select_turned(lanes, turned, velocity_W, result);
@@ -150,7 +147,7 @@ void refine_kick(const Batch& batch, const BodyPointers& bodies, const LaneBits&
 
 void take_free_steps(Batch& batch, const LaneBits& lanes, const WideStepInput& input, const Solved& solved,
                      StepResult& result) {
-  step_lanes(batch, lanes, input, result.state, batch.memory.get());
+  batch.step(lanes, input, result.state, batch.memory.get());
   result.shown_W = result.state.omega_W;
   if (batch.turn_velocity != TurnVelocity::mean && batch.constrained.any()) {
     result.shown_W =

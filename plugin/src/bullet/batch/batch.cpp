@@ -20,6 +20,18 @@ void load_state(const Batch& batch, WideState& state) noexcept {
   state.L_W = batch.L_W;
 }
 
+// change(lane, state) for each of the lanes, one by one.
+template <class Change>
+void change_lanes(const LaneBits& lanes, WideState& state, const Change& change) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (!lanes[lane]) continue;
+    RotationState of_lane;
+    get_lane(lane, state, of_lane);
+    change(lane, of_lane);
+    set_lane(lane, of_lane, state);
+  }
+}
+
 }  // namespace
 
 Batch::Batch(SchemePointer scheme_of_all)
@@ -148,6 +160,40 @@ BodyRotation Batch::rotation(std::size_t lane) const {
   RotationState now = state(lane);
   if (!diverged[lane] && is_finite(*bodies[lane])) adopt_external_changes(*this, lane, now);
   return {now, now.energy(), steps[lane], unresolved_steps[lane], diverged[lane], scheme->description().name};
+}
+
+WideStepInput Batch::free_input(btScalar dt) const {
+  return {inertia_B(), Vector3Wide::Constant(Wide(0.0)), Wide(static_cast<double>(dt))};
+}
+
+void Batch::step(const LaneBits& lanes, const WideStepInput& input, WideState& result,
+                 Wide* memory_or_null) const {
+  if (wide_scheme != nullptr) {
+    wide_scheme->step_wide(input, wide_mask(lanes), result, memory_or_null);
+    return;
+  }
+  change_lanes(lanes, result, [&](std::size_t lane, RotationState& of_lane) {
+    StepInput input_of_lane;
+    get_lane(lane, input, input_of_lane);
+    scheme->step(input_of_lane, of_lane);
+  });
+}
+
+void Batch::turn(const LaneBits& lanes, const Vector3Wide& velocity_W, btScalar dt, WideState& result) const {
+  if (wide_scheme != nullptr) {
+    wide_scheme->turn_wide(velocity_W, Wide(static_cast<double>(dt)), result);
+    return;
+  }
+  change_lanes(lanes, result, [&](std::size_t lane, RotationState& of_lane) {
+    Vector3 velocity_of_lane_W;
+    get_lane(lane, velocity_W, velocity_of_lane_W);
+    scheme->turn(velocity_of_lane_W, static_cast<double>(dt), of_lane);
+  });
+}
+
+void Batch::sanitize(std::size_t lane) {
+  polhode::sanitize(*bodies[lane], last_written(lane));
+  note(lane, IncidentKind::non_finite_body);
 }
 
 void show(const Batch& batch, std::size_t lane, btRigidBody& body) {

@@ -91,6 +91,21 @@ struct alignas(64) Batch {
 
   BodyRotation rotation(std::size_t lane) const;
 
+  /// @name The scheme, for the lanes given
+  /// A scheme that does not step eight bodies at once is called lane by lane. Other lanes of `result` are left
+  /// undefined.
+  /// @{
+  /// Without a kick.
+  WideStepInput free_input(btScalar dt) const;
+  /// RotationScheme::step. memory_or_null: the batch's, or nothing to remember.
+  void step(const LaneBits& lanes, const WideStepInput& input, WideState& result, Wide* memory_or_null) const;
+  /// RotationScheme::turn.
+  void turn(const LaneBits& lanes, const Vector3Wide& velocity_W, btScalar dt, WideState& result) const;
+  /// @}
+
+  /// Replaces what is not finite by what the library wrote last, and notes the incident.
+  void sanitize(std::size_t lane);
+
   void note(std::size_t lane, IncidentKind kind) { to_report[static_cast<std::size_t>(kind)].set(lane); }
   LaneBits lanes_with_incident() const { return to_report[0] | to_report[1]; }
 };

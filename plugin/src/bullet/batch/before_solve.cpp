@@ -1,5 +1,3 @@
-#include "bullet/batch/begin_step.h"
-#include "bullet/batch/scheme_step.h"
 #include "bullet/batch/stages.h"
 #include "bullet/body/locked_axes.h"
 #include "bullet/body/non_finite.h"
@@ -36,7 +34,7 @@ void sanitize_diverged(Batch& batch) {
   for (std::size_t lane = 0; lane < kLanes && batch.diverged.any(); ++lane) {
     if (!batch.diverged[lane] || batch.is_stranger(lane)) continue;
     const btRigidBody& body = *batch.bodies[lane];
-    if ((moves(body) || is_switched_off_by_nan(body)) && !is_finite(body)) sanitize_lane(batch, lane);
+    if ((moves(body) || is_switched_off_by_nan(body)) && !is_finite(body)) batch.sanitize(lane);
   }
 }
 
@@ -90,7 +88,7 @@ void find_gyroscopic_torque(const Batch& batch, const Vector3Wide& end_omega_W, 
 void give_gyroscopic_torque(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   if (context.dt == btScalar(0)) return;
   WideState end = batch.wide_state();
-  step_lanes(batch, lanes, free_input(batch, context.dt), end, nullptr);
+  batch.step(lanes, batch.free_input(context.dt), end, nullptr);
   BulletRows torque_W;
   find_gyroscopic_torque(batch, end.omega_W, Wide(static_cast<double>(context.dt)), torque_W);
   if (batch.applied_torque_W == nullptr) batch.applied_torque_W = std::make_unique<BulletRows>();
@@ -136,7 +134,7 @@ void find_slow(const Batch& batch, const Wide& dt, LaneBits& slow) noexcept {
 void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   const Wide dt = static_cast<double>(context.dt);
   WideState end = batch.wide_state();
-  step_lanes(batch, lanes, free_input(batch, context.dt), end, nullptr);
+  batch.step(lanes, batch.free_input(context.dt), end, nullptr);
   Vector3Wide u_W;
   mean_angular_velocities_W(batch.q_WB, end.q_WB, batch.omega_W, dt, u_W);
   EffectiveInertiaResult<Wide> found;

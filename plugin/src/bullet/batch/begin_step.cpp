@@ -1,5 +1,4 @@
-#include "bullet/batch/begin_step.h"
-
+#include "bullet/batch/stages.h"
 #include "bullet/body/external_changes.h"
 #include "bullet/body/locked_axes.h"
 #include "bullet/body/non_finite.h"
@@ -83,7 +82,7 @@ void adopt_damping(Batch& batch, const LaneBits& lanes, const StepContext& conte
 
 void take_over(Batch& batch, std::size_t lane) {
   btRigidBody& body = *batch.bodies[lane];
-  if (!is_finite(body)) sanitize_lane(batch, lane);
+  if (!is_finite(body)) batch.sanitize(lane);
   set_vector_in_lane(lane, body.getWorldTransform().getOrigin(), batch.origin);
   adopt_external_changes(batch, lane);
 }
@@ -112,11 +111,6 @@ void begin_step(Batch& batch, const LaneBits& lanes, const StepContext& context)
     batch.world_index[lane] = batch.bodies[lane]->getWorldArrayIndex();
   }
   batch.begun |= lanes;
-}
-
-void sanitize_lane(Batch& batch, std::size_t lane) {
-  sanitize(*batch.bodies[lane], batch.last_written(lane));
-  batch.note(lane, IncidentKind::non_finite_body);
 }
 
 }  // namespace POLHODE_PRECISION

@@ -1,4 +1,3 @@
-#include "bullet/batch/begin_step.h"
 #include "bullet/batch/stages.h"
 #include "bullet/internals/private_members.h"
 #include "math/sine_cosine.h"

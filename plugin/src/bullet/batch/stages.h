@@ -14,6 +14,14 @@ inline namespace POLHODE_PRECISION {
 /// left to Bullet.
 LaneBits predict(Batch& batch, const StepContext& context) noexcept;
 
+/// Begins the step of lanes whose body moves, right after Bullet's damping: adopts external changes and takes
+/// out what is not finite. A body's first step starts from its present motion. predict and before_solve call
+/// it.
+void begin_step(Batch& batch, const LaneBits& lanes, const StepContext& context) noexcept;
+
+/// Adopts what somebody changed of the lanes' bodies since the library last wrote or adopted it.
+void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& context);
+
 /// Right before the solver, when collision detection is done: clears the gyroscopic flags until the step
 /// ends, and gives the solver the velocity it should start from:
 ///

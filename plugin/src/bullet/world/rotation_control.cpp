@@ -17,8 +17,8 @@ btRigidBody& require_body(btCollisionObject& object) {
   if (body == nullptr) {
     throw std::invalid_argument(
         "only a btRigidBody can be rotated by a scheme; this collision object is none (the links of a "
-        "btMultiBody are "
-        "turned by their joints)");
+        "btMultiBody "
+        "are turned by their joints)");
   }
   return *body;
 }
@@ -79,8 +79,8 @@ BodyRotation RotationControl::rotation_of(const btRigidBody& body) const {
   if (place.batch == nullptr) {
     throw std::invalid_argument(
         "this body is not rotated by the library: it was released, is static or kinematic, is not in the "
-        "world, or the "
-        "world has no default scheme");
+        "world, "
+        "or the world has no default scheme");
   }
   return place.batch->rotation(place.lane);
 }

@@ -1,30 +1,146 @@
 #include "polhode/bullet/rotation_plugin.h"
 
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+#include <BulletDynamics/Dynamics/btSimulationIslandManagerMt.h>
+#include <LinearMath/btAlignedAllocator.h>
+
+#include <new>
+#include <stdexcept>
+#include <typeinfo>
 #include <utility>
 
 #include "bullet/internals/private_members.h"
-#include "bullet/world/island_manager_hook.h"
 #include "bullet/world/world_stepper.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// What the world holds of the plugin: its first action and its island manager.
+namespace {
+
+/// Told by an island manager of ours.
+class SolveListener {
+ public:
+  /// Collision detection is done, the solver comes next; once in each substep.
+  virtual void before_solve() = 0;
+  /// The world is being destroyed.
+  virtual void world_dies() = 0;
+
+ protected:
+  ~SolveListener() = default;
+};
+
+void copy_settings(btSimulationIslandManager& from, btSimulationIslandManager& to) {
+  to.setSplitIslands(from.getSplitIslands());
+}
+
+void copy_settings(btSimulationIslandManagerMt& from, btSimulationIslandManagerMt& to) {
+  to.setSplitIslands(from.getSplitIslands());
+  to.setMinimumSolverBatchSize(from.getMinimumSolverBatchSize());
+  to.setIslandDispatchFunction(from.getIslandDispatchFunction());
+}
+
+// As the world makes and destroys its own.
+void destroy(btSimulationIslandManager& manager) {
+  manager.~btSimulationIslandManager();
+  btAlignedFree(&manager);
+}
+
+// Ours, whichever class it stands in for.
+class Listening {
+ public:
+  virtual ~Listening() = default;
+  virtual void forget_listener() = 0;
+  /// Returns the world's own manager with the present settings; it is no longer ours to destroy.
+  virtual btSimulationIslandManager& give_back() = 0;
+};
+
+template <class Manager>
+class ListeningManager final : public Manager, public Listening {
+ public:
+  ListeningManager(Manager& worlds_own, SolveListener& listener)
+      : worlds_own_(&worlds_own), listener_(&listener) {
+    copy_settings(worlds_own, *this);
+  }
+  // Bullet destroys it with the world.
+  ~ListeningManager() override {
+    if (listener_ != nullptr) listener_->world_dies();
+    if (worlds_own_ != nullptr) destroy(*worlds_own_);
+  }
+  ListeningManager(const ListeningManager&) = delete;
+  ListeningManager& operator=(const ListeningManager&) = delete;
+
+  void updateActivationState(btCollisionWorld* world, btDispatcher* dispatcher) override {
+    if (listener_ != nullptr) listener_->before_solve();
+    Manager::updateActivationState(world, dispatcher);
+  }
+
+  void forget_listener() override { listener_ = nullptr; }
+  btSimulationIslandManager& give_back() override {
+    copy_settings(*this, *worlds_own_);
+    Manager& own = *worlds_own_;
+    worlds_own_ = nullptr;
+    return own;
+  }
+
+ private:
+  Manager* worlds_own_;
+  SolveListener* listener_;
+};
+
+// Ours, which nobody listens to any more, is as good as the plain one.
+template <class Manager>
+bool is_plain(const btSimulationIslandManager& manager) {
+  return typeid(manager) == typeid(Manager) || typeid(manager) == typeid(ListeningManager<Manager>);
+}
+
+template <class Manager>
+btSimulationIslandManager* listening(btSimulationIslandManager& worlds_own, SolveListener& listener) {
+  using Ours = ListeningManager<Manager>;
+  constexpr int kAlignment = 16;
+  static_assert(alignof(Ours) <= kAlignment, "Bullet frees it with btAlignedFree");
+  void* memory = btAlignedAlloc(sizeof(Ours), kAlignment);
+  return new (memory) Ours(static_cast<Manager&>(worlds_own), listener);
+}
+
+btSimulationIslandManager* make(btSimulationIslandManager& worlds_own, SolveListener& listener) {
+  if (is_plain<btSimulationIslandManager>(worlds_own))
+    return listening<btSimulationIslandManager>(worlds_own, listener);
+  if (is_plain<btSimulationIslandManagerMt>(worlds_own)) {
+    return listening<btSimulationIslandManagerMt>(worlds_own, listener);
+  }
+  throw std::invalid_argument(
+      "the island manager of this world is of a class of its own, and RotationPlugin would have to take its "
+      "place: put Bullet's own in (btSimulationIslandManager or btSimulationIslandManagerMt), or make the "
+      "world "
+      "as a RotationWorld");
+}
+
+}  // namespace
+
+/// What the world holds of the plugin: its first action, and an island manager that takes the place of the
+/// world's. Bullet calls the manager's updateActivationState at the start of a solve, and the world destroys it
+/// when it dies. It is an island manager with the world's settings, so nobody who asks the world for it is
+/// misled.
 class RotationPlugin::Attachment final : public btActionInterface, public SolveListener {
  public:
   explicit Attachment(RotationPlugin& plugin)
-      : plugin_(plugin), world_(plugin.rotation_.stepper_->world()), hook_(world_, *this) {
+      : plugin_(plugin),
+        world_(plugin.rotation_.stepper_->world()),
+        manager_(make(*island_manager(world_), *this)) {
+    island_manager(world_) = manager_;
     world_.addAction(this);
     move_to_front();
   }
 
-  // Bullet removes an action by putting the last one in its place: there the order of the others stays.
+  // Bullet removes an action by putting the last one in its place: at the end the order of the others stays.
   ~Attachment() override {
     move_to_back();
     world_.removeAction(this);
+    if (manager_ != nullptr) put_back_manager();
   }
 
-  bool is_in_place() const { return hook_.is_in_place(); }
+  /// False once somebody has replaced the island manager.
+  bool is_in_place() const { return island_manager(world_) == manager_; }
 
   void before_solve() override {
     if (actions(world_)[0] != this) move_to_front();
@@ -36,12 +152,20 @@ class RotationPlugin::Attachment final : public btActionInterface, public SolveL
   void debugDraw(btIDebugDraw* /*drawer*/) override {}
 
   void world_dies() override {
-    hook_.world_is_gone();
+    manager_ = nullptr;  // the world destroys it
     plugin_.rotation_.stepper_->world_is_gone();
     plugin_.attachment_.reset();  // this object
   }
 
  private:
+  // If somebody has replaced ours meanwhile, theirs stays, and ours goes on as a plain one for whoever holds it.
+  void put_back_manager() {
+    auto& ours = dynamic_cast<Listening&>(*manager_);
+    ours.forget_listener();
+    if (!is_in_place()) return;
+    island_manager(world_) = &ours.give_back();
+    destroy(*manager_);
+  }
   int position() const {
     int position = 0;
     while (position < actions(world_).size() && actions(world_)[position] != this) ++position;
@@ -58,7 +182,7 @@ class RotationPlugin::Attachment final : public btActionInterface, public SolveL
 
   RotationPlugin& plugin_;
   btDiscreteDynamicsWorld& world_;
-  IslandManagerHook hook_;
+  btSimulationIslandManager* manager_;
 };
 
 RotationPlugin::RotationPlugin(btDynamicsWorld& world) : rotation_(world) {

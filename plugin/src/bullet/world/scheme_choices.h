@@ -3,7 +3,9 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <unordered_map>
+#include <utility>
 
+#include "bullet/internals/private_members.h"
 #include "polhode/bullet/precision.h"
 #include "polhode/scheme_registry.h"
 
@@ -17,11 +19,18 @@ class SchemeChoices {
   SchemePointer default_scheme = polhode::default_scheme();
 
   /// Null: Bullet rotates the body.
-  void choose(const btRigidBody& body, SchemePointer scheme);
-  void choose_default(const btRigidBody& body);
+  void choose(const btRigidBody& body, SchemePointer scheme) {
+    choices_[&body] = {body_identity(body), std::move(scheme)};
+    changed_ = true;
+  }
+  void choose_default(const btRigidBody& body) { choices_.erase(&body); }
 
   /// The scheme of the body; null: Bullet rotates it.
-  SchemePointer scheme_of(const btRigidBody& body) const;
+  SchemePointer scheme_of(const btRigidBody& body) const {
+    const auto found = choices_.find(&body);
+    if (found == choices_.end() || found->second.identity != body_identity(body)) return default_scheme;
+    return found->second.scheme;
+  }
 
   /// Drops the choices of bodies for which `is_present(address)` is false.
   template <class IsPresent>

@@ -28,8 +28,8 @@ void WorldClaim::claim(const btDynamicsWorld& world) {
   if (!claimed().worlds.insert(&world).second) {
     throw std::invalid_argument(
         "this world's bodies are already rotated by a RotationWorld or another RotationPlugin: use its "
-        "rotation(), or "
-        "detach() it first");
+        "rotation(), "
+        "or detach() it first");
   }
   world_ = &world;
 }

@@ -1,6 +1,7 @@
 #include "bullet/world/world_stepper.h"
 
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 
 #include <mutex>
 #include <stdexcept>
@@ -9,11 +10,10 @@
 #include <utility>
 
 #include "bullet/batch/stages.h"
-#include "bullet/body/clamped_step.h"
+#include "bullet/body/integrated_pose.h"
 #include "bullet/body/non_finite.h"
 #include "bullet/internals/body_list.h"
 #include "bullet/internals/prefetch.h"
-#include "bullet/world/constrained_bodies.h"
 #include "bullet/world/parallel_loop.h"
 #include "polhode/bullet/conversions.h"
 
@@ -72,6 +72,32 @@ LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& contex
       lanes.reset(lane);
   }
   return lanes;
+}
+
+// A joint's partner may stand for the world, or belong to no world.
+void mark(const btCollisionObject& object, std::vector<char>& is_constrained) {
+  const auto index = static_cast<std::size_t>(object.getWorldArrayIndex());
+  if (object.getWorldArrayIndex() >= 0 && index < is_constrained.size()) is_constrained[index] = 1;
+}
+
+// Marks, by btCollisionObject::getWorldArrayIndex, the objects that the coming solve may constrain: those in an
+// enabled joint, and those in a manifold that has contact points and is answered (a trigger's is not).
+void find_constrained_bodies(btDiscreteDynamicsWorld& world, std::vector<char>& is_constrained) {
+  is_constrained.assign(static_cast<std::size_t>(world.getNumCollisionObjects()), 0);
+  btDispatcher& dispatcher = *world.getDispatcher();
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+    if (manifold.getNumContacts() == 0) continue;
+    if (!dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1())) continue;
+    mark(*manifold.getBody0(), is_constrained);
+    mark(*manifold.getBody1(), is_constrained);
+  }
+  for (int i = 0; i < world.getNumConstraints(); ++i) {
+    const btTypedConstraint& joint = *world.getConstraint(i);
+    if (!joint.isEnabled()) continue;
+    mark(joint.getRigidBodyA(), is_constrained);
+    mark(joint.getRigidBodyB(), is_constrained);
+  }
 }
 
 }  // namespace
