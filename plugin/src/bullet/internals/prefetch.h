@@ -1,5 +1,6 @@
 #pragma once
 
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <cstddef>
@@ -43,6 +44,12 @@ inline void prefetch_for_motion_state(const btRigidBody& body) {
   prefetch_flags(body);
 }
 /// @}
+
+/// Its bodies, at the start, and its number of contact points, at the end.
+inline void prefetch(const btPersistentManifold& manifold) {
+  prefetch(&manifold, &manifold.getContactPoint(0));
+  prefetch(&manifold.m_companionIdA, &manifold + 1);
+}
 
 /// A motion state of the application's may be of any size; the pose of Bullet's is at its start.
 inline void prefetch_motion_state(const btRigidBody& body) {

@@ -85,7 +85,10 @@ void mark(const btCollisionObject& object, std::vector<char>& is_constrained) {
 void find_constrained_bodies(btDiscreteDynamicsWorld& world, std::vector<char>& is_constrained) {
   is_constrained.assign(static_cast<std::size_t>(world.getNumCollisionObjects()), 0);
   btDispatcher& dispatcher = *world.getDispatcher();
+  constexpr int kAhead = 8;
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    if (i + kAhead < dispatcher.getNumManifolds())
+      prefetch(*dispatcher.getManifoldByIndexInternal(i + kAhead));
     const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
     if (manifold.getNumContacts() == 0) continue;
     if (!dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1())) continue;
