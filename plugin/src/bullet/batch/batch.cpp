@@ -101,7 +101,7 @@ void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
   for (auto bits : {&Batch::diverged, &Batch::begun, &Batch::in_solve, &Batch::torqued,
                     &Batch::may_be_clamped, &Batch::of_library, &Batch::constrained, &Batch::held,
                     &Batch::given_mean, &Batch::given_effective, &Batch::given_torque, &Batch::unresolved}) {
-    (this->*bits)[to] = (other.*bits)[from];
+    (this->*bits).set(to, (other.*bits)[from]);
   }
   gyroscopic_flags[to] = other.gyroscopic_flags[from];
   if (other.applied_torque_W != nullptr) {
@@ -116,8 +116,8 @@ void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
   steps[to] = other.steps[from];
   unresolved_steps[to] = other.unresolved_steps[from];
   for (std::size_t kind = 0; kind < kIncidentKinds; ++kind) {
-    to_report[kind][to] = other.to_report[kind][from];
-    reported[kind][to] = other.reported[kind][from];
+    to_report[kind].set(to, other.to_report[kind][from]);
+    reported[kind].set(to, other.reported[kind][from]);
   }
 }
 

@@ -30,45 +30,45 @@ struct alignas(64) Batch {
   std::array<btRigidBody*, kLanes> bodies{};       ///< null in a hole
   std::array<int, kLanes> identities{};            ///< body_identity
   std::array<std::uint32_t, kLanes> list_index{};  ///< in the world's list of bodies
-  std::array<int, kLanes> world_index{};  ///< btCollisionObject::getWorldArrayIndex, as the step began
-  LaneBits diverged;                      ///< left to Bullet, at rest in its last finite state
-
-  // The state.
-  QuaternionWide q_WB;
-  Vector3Wide omega_W;
-  Vector3Wide L_W;
-  std::unique_ptr<Matrix3Wide> R_WB;  ///< only where the scheme does not keep a rotation
-  std::unique_ptr<Wide[]> memory;     ///< of the scheme
-
-  // What Bullet's bodies held when the library last wrote them: the pose is q_WB, rounded. Always finite.
-  BulletRows written_omega_W;
-  BulletRows inverse_inertia_B;
-  BulletRows origin;
+  LaneBits diverged;                               ///< left to Bullet, at rest in its last finite state
 
   // Within a step.
-  LaneBits begun;              ///< lanes whose step has begun
-  LaneBits in_solve;           ///< of these, those between before_solve and after_solve
-  LaneBits torqued;            ///< of these, those whose body is under a torque
-  LaneBits may_be_clamped;     ///< continuous collision detection may stop these; predict knows
-  LaneBits of_library;         ///< in the present stage Bullet's loop skips these
-  bool has_strangers = false;  ///< another body has come to the address of one of these
-  LaneBits constrained;        ///< in a joint or a contact
-  LaneBits held;               ///< may not turn freely about some axis
-  LaneBits given_mean;       ///< of the constrained ones: the solver has the mean velocity of their free step
-  LaneBits given_effective;  ///< of these: the solver has their effective inertia too
-  LaneBits
-      given_torque;     ///< the solver has the gyroscopic change of a scheme that carries omega, as a torque
-  LaneBits unresolved;  ///< of the constrained ones: dt is too long to resolve their gyroscopic motion
-  std::array<std::uint8_t, kLanes> gyroscopic_flags{};  ///< the application's
-  std::unique_ptr<BulletRows>
-      applied_torque_W;  ///< the application's, of lanes given_torque; null until there is one
-  std::unique_ptr<EffectiveInertia<Wide>> effective;  ///< of lanes given_mean; null until there is one
+  LaneBits begun;                         ///< lanes whose step has begun
+  LaneBits in_solve;                      ///< of these, those between before_solve and after_solve
+  LaneBits torqued;                       ///< of these, those whose body is under a torque
+  LaneBits may_be_clamped;                ///< continuous collision detection may stop these; predict knows
+  LaneBits of_library;                    ///< in the present stage Bullet's loop skips these
+  LaneBits constrained;                   ///< in a joint or a contact
+  LaneBits held;                          ///< may not turn freely about some axis
+  bool has_strangers = false;             ///< another body has come to the address of one of these
+  std::array<int, kLanes> world_index{};  ///< btCollisionObject::getWorldArrayIndex, as the step began
+
+  // What the solver was given for constrained lanes.
+  LaneBits given_mean;       ///< the mean velocity of their free step
+  LaneBits given_effective;  ///< their effective inertia too
+  LaneBits given_torque;     ///< the gyroscopic change of a scheme that carries omega, as a torque
+  LaneBits unresolved;       ///< omega alone: dt is too long to resolve their gyroscopic motion
+  std::array<std::uint8_t, kLanes> gyroscopic_flags{};  ///< the application's, which the solver has not
+  std::unique_ptr<BulletRows> applied_torque_W;  ///< the application's, of lanes given_torque; null at first
+  std::unique_ptr<EffectiveInertia<Wide>> effective;  ///< of lanes given_mean; null at first
 
   // What happened.
   std::array<std::uint64_t, kLanes> steps{};
   std::array<std::uint32_t, kLanes> unresolved_steps{};
   std::array<LaneBits, kIncidentKinds> to_report{};  ///< lanes of an incident, by IncidentKind
   std::array<LaneBits, kIncidentKinds> reported{};   ///< lanes whose incident the handler has heard of
+
+  // The state.
+  std::unique_ptr<Matrix3Wide> R_WB;  ///< only where the scheme does not keep a rotation
+  std::unique_ptr<Wide[]> memory;     ///< of the scheme
+  QuaternionWide q_WB;
+  Vector3Wide omega_W;
+  Vector3Wide L_W;
+
+  // What Bullet's bodies held when the library last wrote them: the pose is q_WB, rounded. Always finite.
+  BulletRows written_omega_W;
+  BulletRows inverse_inertia_B;
+  BulletRows origin;
 
   /// Whether another body has come to the address of this one.
   bool is_stranger(std::size_t lane) const { return body_identity(*bodies[lane]) != identities[lane]; }

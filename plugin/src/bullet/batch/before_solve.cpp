@@ -24,7 +24,7 @@ LaneBits lanes_to_begin(const Batch& batch) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const btRigidBody* body = batch.bodies[lane];
     if (body == nullptr || batch.begun[lane] || batch.diverged[lane]) continue;
-    lanes[lane] = moves(*body) || is_switched_off_by_nan(*body);
+    lanes.set(lane, moves(*body) || is_switched_off_by_nan(*body));
   }
   return lanes;
 }
@@ -61,8 +61,8 @@ LaneBits constrained_lanes(const Batch& batch, const LaneBits& lanes, const Step
   LaneBits constrained;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const auto index = static_cast<std::size_t>(batch.world_index[lane]);
-    constrained[lane] =
-        lanes[lane] && index < context.is_constrained.size() && context.is_constrained[index] != 0;
+    constrained.set(
+        lane, lanes[lane] && index < context.is_constrained.size() && context.is_constrained[index] != 0);
   }
   return constrained;
 }

@@ -3,12 +3,12 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <array>
-#include <bitset>
 
 #include "bullet/internals/private_members.h"
 #include "polhode/bullet/precision.h"
 #include "scheme_base/wide_state.h"
 #include "simd/gather.h"
+#include "simd/lane_bits.h"
 
 /// Gathers and scatters the vectors and matrices of eight of Bullet's bodies, in Bullet's precision.
 namespace polhode {
@@ -18,9 +18,6 @@ using BulletWide = BasicWide<RegistersOf<btScalar>>;
 using BulletMask = BulletWide::Mask;
 using BulletDifferences = BasicWideDifferences<RegistersOf<btScalar>>;
 using BulletRows = WideRows<btScalar>;
-
-/// One bit for each lane of a batch.
-using LaneBits = std::bitset<kLanes>;
 
 /// The body of each lane; never null.
 using BodyPointers = std::array<btRigidBody*, kLanes>;

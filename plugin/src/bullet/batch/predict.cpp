@@ -43,10 +43,10 @@ LaneBits predict(Batch& batch, const StepContext& context) noexcept {
   LaneBits lanes;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     btRigidBody* body = batch.bodies[lane];
-    lanes[lane] = body != nullptr && !batch.diverged[lane] && moves(*body);
+    lanes.set(lane, body != nullptr && !batch.diverged[lane] && moves(*body));
     if (!lanes[lane]) continue;
     damp(*body, context.dt);
-    batch.may_be_clamped[lane] = body->getCcdSquareMotionThreshold() != btScalar(0);
+    batch.may_be_clamped.set(lane, body->getCcdSquareMotionThreshold() != btScalar(0));
     if (batch.may_be_clamped[lane]) body->setHitFraction(btScalar(1));  // as Bullet's loop, which may skip it
   }
   if (lanes.none()) return lanes;

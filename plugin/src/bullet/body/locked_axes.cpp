@@ -111,7 +111,7 @@ void give_held(Batch& batch, std::size_t lane, const StepContext& context) {
   const Vector3 given_W = with_locked_axes_kept(turn.inverse_W, body, shown_W, turn.velocity_W);
   body.setAngularVelocity(to_bullet(given_W));
   set_vector_in_lane(lane, body.getAngularVelocity(), batch.written_omega_W);
-  batch.unresolved[lane] = !turn.is_resolved;
+  batch.unresolved.set(lane, !turn.is_resolved);
   if (turn.is_effective) to_bullet(turn.inverse_W, inverse_inertia_tensor_W(body));
 }
 
