@@ -24,7 +24,7 @@ int serialised_size_in_loaded_bullet() {
   return size;
 }
 
-// What is wrong, or a null pointer.
+// Returns what is wrong, or a null pointer.
 const char* mismatch() {
   static const bool matches =
       serialised_size_in_loaded_bullet() == static_cast<int>(sizeof(btPersistentManifoldData));

@@ -68,7 +68,7 @@ void set_substeps(FreeTopStep<double>& step, int count);
 /// least kAtRest. dt in s. Where a result is beyond double precision the step's turn is not finite.
 FreeTopStep<double> make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, double dt);
 
-/// Whether the step was made for this length, and its momentum is L_B up to rounding.
+/// Returns whether the step was made for this length, and its momentum is L_B up to rounding.
 bool fits(const FreeTopStep<double>& step, const Vector3& L_B, double dt);
 
 /// Takes the step: returns the orientation after it. L_W is the constant momentum.

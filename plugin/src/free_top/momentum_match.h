@@ -9,7 +9,7 @@
 /// step. Real is double or Wide.
 namespace polhode::free_top {
 
-/// Whether they differ by rounding only. The momentum of an empty step, which is 0, is no body's.
+/// Returns whether the two differ by rounding only. The momentum of an empty step, which is 0, is no body's.
 template <class Real>
 POLHODE_INLINE auto is_same_momentum(const Eigen::Matrix<Real, 3, 1>& L_B,
                                      const Eigen::Matrix<Real, 3, 1>& found_L_B) {

@@ -84,15 +84,15 @@ POLHODE_INLINE Motion<Real> motion_of(const Triple<Real>& inertia, const Triple<
   return motion;
 }
 
-/// Whether L moves in the body. It does not in a spin about a principal axis, or about any axis of a body for
-/// which all moments in question are equal.
+/// Returns whether L moves in the body. It does not in a spin about a principal axis, or about any axis of a
+/// body for which all moments in question are equal.
 template <class Real>
 POLHODE_INLINE auto moves(const Motion<Real>& motion) {
   using std::abs;
   return (abs(motion.n) >= kNothing) & (motion.nu_h2 >= kNothing);
 }
 
-/// Whether the step is one substep.
+/// Returns whether the step is one substep.
 template <class Real>
 POLHODE_INLINE auto is_short(const Motion<Real>& motion) {
   constexpr double kLongest2 = kLongestSubstep * kLongestSubstep;

@@ -57,8 +57,8 @@ POLHODE_INLINE Substep<Real> make_substep(const Motion<Real>& motion, const Real
   return step;
 }
 
-/// By what to multiply the components of L that an invariant holds: one first-order step back onto it. `half`
-/// is 1/2 but for rounding, and 0 where L stands still.
+/// Returns the factor for the components of L that an invariant holds: one first-order step back onto it.
+/// `half` is 1/2 but for rounding, and 0 where L stands still.
 template <class Real>
 POLHODE_INLINE Real pull_back(const Real& half) {
   return select(half == 0.0, Real(1.0), Real(1.5 - half));

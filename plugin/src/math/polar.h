@@ -84,8 +84,8 @@ Eigen::Matrix<Real, 4, 1> quaternion_row(const Matrix<Real>& Q) {
   return best;
 }
 
-/// Of q and -q the one nearer to `before`; the identity for a matrix of rank 1 or 0, or whose squares
-/// overflow.
+/// Returns that one of q and -q which is nearer to `before`; the identity for a matrix of rank 1 or 0, or
+/// whose squares overflow.
 template <class Real>
 UnitQuaternion<Real> nearest_rotation(const Matrix<Real>& R, const UnitQuaternion<Real>& before) {
   using std::sqrt;

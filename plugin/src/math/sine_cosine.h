@@ -14,8 +14,8 @@ struct SineCosine {
   Real sine, cosine;
 };
 
-/// sin(x)/x and cos(x) from x^2, by Taylor's series: 11 terms of each for |x| <= 1.25, 9 for |x| <= pi/4, 8 for
-/// |x| <= pi/8. Error: an ulp.
+/// sin(x)/x and cos(x) from x^2, by Taylor's series: 11 terms of each for |x| <= 1.25, 9 for |x| <= pi/4, 8
+/// for |x| <= pi/8. Error: an ulp.
 template <std::size_t terms, class Real>
 POLHODE_INLINE SineCosine<Real> sinc_cosine_series(const Real& x2) {
   // 1/(2k)! with alternating signs. The first terms left out are under 2e-18.
@@ -45,7 +45,8 @@ POLHODE_INLINE SineCosine<Real> sinc_cosine_series(const Real& x2) {
   return {sinc, cosine};
 }
 
-/// Of small x, as sinc_cosine_series; of the sine of a smaller x, the error is an ulp of x.
+/// Returns sine and cosine of small x, as sinc_cosine_series. The error of the sine is an ulp of x where x is
+/// smaller.
 template <std::size_t terms, class Real>
 POLHODE_INLINE SineCosine<Real> sine_cosine_series(const Real& x) {
   const auto [sinc, cosine] = sinc_cosine_series<terms>(Real(x * x));
@@ -60,7 +61,7 @@ POLHODE_INLINE Real nearest_integer(const Real& x) {
   return shifted - kShift;
 }
 
-/// Of any x. Error: an ulp of 1 up to 1e6 rad, beyond it half an ulp of x as well.
+/// Returns sine and cosine of any x. Error: an ulp of 1 up to 1e6 rad, beyond it half an ulp of x as well.
 template <class Real>
 POLHODE_INLINE SineCosine<Real> sine_cosine(const Real& x) {
   // x = k pi/2 + r. Pi/2 in three parts (W. J. Cody, W. Waite, Software Manual for the Elementary Functions,

@@ -6,8 +6,8 @@
 
 namespace polhode::schemes {
 
-/// A built-in scheme that steps eight bodies at once without a memory. Compiles the formulas of its step and of
-/// its turn for each instruction set.
+/// A built-in scheme that steps eight bodies at once without a memory. Compiles the formulas of its step and
+/// of its turn for each instruction set.
 template <void (*step_formulas)(const WideStepInput&, WideState&),
           void (*turn_formulas)(const Vector3Wide& omega_W, const Wide& dt, WideState&)>
 class WideSchemeDefinition final : public WideScheme {

@@ -181,7 +181,7 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWide {
   Values values_;
 };
 
-/// Whether numbers have the same bits, of any number of pairs at the cost of one comparison.
+/// Tells whether numbers have the same bits, of any number of pairs at the cost of one comparison.
 template <class Registers>
 class BasicWideDifferences {
  public:

@@ -20,7 +20,7 @@ void read_solved(const BodyPointers& bodies, PoseIntegratedBy integrator, btScal
                  Solved& solved, WideStepInput& input) noexcept {
   const BulletRows omega_W = gather(bodies, angular_velocity);
   const bool by_bullet = integrator == PoseIntegratedBy::bullet;
-  // What Bullet integrated with: it may have changed the velocity since (speculative contact restitution).
+  // Bullet may have changed the velocity since it integrated (speculative contact restitution).
   solved.omega_W = by_bullet ? gather(bodies, interpolation_angular_velocity) : omega_W;
   solved.shown_later_W = omega_W;
   solved.linear_velocity = gather(bodies, linear_velocity);
@@ -76,7 +76,7 @@ void find_turn_velocity(const Batch& batch, const Solved& solved, const Vector3W
   result = select(wide_mask(batch.given_torque), to_double(solved.omega_W), Vector3Wide(result + d_W));
 }
 
-// What the momentum gains by d: I_W(q) d, or M d where the solver had the effective inertia.
+// Returns the momentum gained by d: I_W(q) d, or M d where the solver had the effective inertia.
 Vector3Wide momentum_gain_W(const Batch& batch, const Vector3Wide& d_W, const BulletRows& torque_W,
                             const Wide& dt) {
   const Matrix3Wide R_WB = batch.q_WB.toRotationMatrix();
@@ -117,7 +117,7 @@ void turn_by_solved(Batch& batch, const LaneBits& lanes, const WideStepInput& in
   find_turn_velocity(batch, solved, input.delta_omega_W, velocity_W);
   WideState turned = batch.wide_state();
   batch.turn(lanes, velocity_W, context.dt, turned);
-  find_turned_momentum(batch, body_pointers(batch, lanes, context.bullet.nobody()), velocity_W,
+  find_turned_momentum(batch, body_pointers(batch, lanes, context.bullet.placeholder()), velocity_W,
                        input.delta_omega_W, input.dt, turned);
   select_turned(lanes, turned, velocity_W, result);
 }
@@ -174,8 +174,8 @@ void after_solve(Batch& batch, LaneBits lanes, PoseIntegratedBy integrator,
   batch.in_solve &= ~lanes;
   Solved solved;
   WideStepInput input;
-  read_solved(body_pointers(batch, lanes, context.bullet.nobody()), integrator, context.dt, batch, solved,
-              input);
+  read_solved(body_pointers(batch, lanes, context.bullet.placeholder()), integrator, context.dt, batch,
+              solved, input);
   const LaneBits stepping = lanes_to_step(batch, lanes, solved);
   if (stepping.none()) return;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -187,7 +187,7 @@ void after_solve(Batch& batch, LaneBits lanes, PoseIntegratedBy integrator,
   const LaneBits free = stepping & ~result.turns_by_solved & ~batch.held;
   const LaneBits torqued = free & batch.torqued & ~batch.constrained;
   if (torqued.any()) {
-    refine_kick(batch, body_pointers(batch, torqued, context.bullet.nobody()), torqued, solved, input);
+    refine_kick(batch, body_pointers(batch, torqued, context.bullet.placeholder()), torqued, solved, input);
   }
   if (free.any()) take_free_steps(batch, free, input, solved, result);
   if (result.turns_by_solved.any()) {

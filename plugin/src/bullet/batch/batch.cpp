@@ -204,10 +204,10 @@ void show(const Batch& batch, std::size_t lane, btRigidBody& body) {
   motion_state->setWorldTransform(pose);
 }
 
-BodyPointers body_pointers(const Batch& batch, const LaneBits& lanes, btRigidBody& nobody) {
+BodyPointers body_pointers(const Batch& batch, const LaneBits& lanes, btRigidBody& placeholder) {
   BodyPointers pointers;
   for (std::size_t lane = 0; lane < kLanes; ++lane)
-    pointers[lane] = lanes[lane] ? batch.bodies[lane] : &nobody;
+    pointers[lane] = lanes[lane] ? batch.bodies[lane] : &placeholder;
   return pointers;
 }
 

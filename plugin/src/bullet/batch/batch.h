@@ -40,10 +40,10 @@ struct alignas(64) Batch {
   LaneBits of_library;                    ///< in the present stage Bullet's loop skips these
   LaneBits constrained;                   ///< in a joint or a contact
   LaneBits held;                          ///< may not turn freely about some axis
-  bool has_strangers = false;             ///< another body has come to the address of one of these
+  bool has_replaced_bodies = false;       ///< another body has come to the address of one of these
   std::array<int, kLanes> world_index{};  ///< btCollisionObject::getWorldArrayIndex, as the step began
 
-  // What the solver was given for constrained lanes.
+  // Given to the solver for constrained lanes.
   LaneBits given_mean;       ///< the mean velocity of their free step
   LaneBits given_effective;  ///< their effective inertia too
   LaneBits given_torque;     ///< the gyroscopic change of a scheme that carries omega, as a torque
@@ -52,7 +52,7 @@ struct alignas(64) Batch {
   std::unique_ptr<BulletRows> applied_torque_W;  ///< the application's, of lanes given_torque; null at first
   std::unique_ptr<EffectiveInertia<Wide>> effective;  ///< of lanes given_mean; null at first
 
-  // What happened.
+  // Counts and incidents.
   std::array<std::uint64_t, kLanes> steps{};
   std::array<std::uint32_t, kLanes> unresolved_steps{};
   std::array<LaneBits, kIncidentKinds> to_report{};  ///< lanes of an incident, by IncidentKind
@@ -65,13 +65,13 @@ struct alignas(64) Batch {
   Vector3Wide omega_W;
   Vector3Wide L_W;
 
-  // What Bullet's bodies held when the library last wrote them: the pose is q_WB, rounded. Always finite.
+  // Bullet's bodies as the library last wrote them: the pose is q_WB, rounded. Always finite.
   BulletRows written_omega_W;
   BulletRows inverse_inertia_B;
   BulletRows origin;
 
-  /// Whether another body has come to the address of this one.
-  bool is_stranger(std::size_t lane) const { return body_identity(*bodies[lane]) != identities[lane]; }
+  /// Returns whether another body has come to the address of this one.
+  bool is_replaced(std::size_t lane) const { return body_identity(*bodies[lane]) != identities[lane]; }
   std::size_t memory_rows() const { return wide_scheme != nullptr ? wide_scheme->memory_rows() : 0; }
   /// Takes the body into a hole as it is; what is not finite is taken to be at rest in the origin.
   void attach(std::size_t lane, btRigidBody& body);
@@ -91,9 +91,8 @@ struct alignas(64) Batch {
 
   BodyRotation rotation(std::size_t lane) const;
 
-  /// @name The scheme, for the lanes given
-  /// A scheme that does not step eight bodies at once is called lane by lane. Other lanes of `result` are left
-  /// undefined.
+  /// @name The scheme, for the lanes given A scheme that does not step eight bodies at once is called lane by
+  /// lane. Other lanes of `result` are left undefined.
   /// @{
   /// Without a kick.
   WideStepInput free_input(btScalar dt) const;
@@ -114,8 +113,8 @@ struct alignas(64) Batch {
 /// keeps one.
 void show(const Batch& batch, std::size_t lane, btRigidBody& body);
 
-/// The body of each of the lanes; `nobody` in the others.
-BodyPointers body_pointers(const Batch& batch, const LaneBits& lanes, btRigidBody& nobody);
+/// The body of each of the lanes; `placeholder` in the others.
+BodyPointers body_pointers(const Batch& batch, const LaneBits& lanes, btRigidBody& placeholder);
 
 /// One lane of gathered vectors.
 inline btVector3 vector_in_lane(const BulletRows& rows, std::size_t lane) {

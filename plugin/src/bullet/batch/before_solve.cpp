@@ -32,7 +32,7 @@ LaneBits lanes_to_begin(const Batch& batch) {
 // A diverged body is Bullet's, but still kept from spreading a NaN.
 void sanitize_diverged(Batch& batch) {
   for (std::size_t lane = 0; lane < kLanes && batch.diverged.any(); ++lane) {
-    if (!batch.diverged[lane] || batch.is_stranger(lane)) continue;
+    if (!batch.diverged[lane] || batch.is_replaced(lane)) continue;
     const btRigidBody& body = *batch.bodies[lane];
     if ((moves(body) || is_switched_off_by_nan(body)) && !is_finite(body)) batch.sanitize(lane);
   }
@@ -41,10 +41,10 @@ void sanitize_diverged(Batch& batch) {
 // Lanes whose body was looked at by begin_step, now or in predict, and is still the same.
 LaneBits lanes_to_solve(Batch& batch) {
   LaneBits lanes = batch.begun & ~batch.in_solve;
-  batch.has_strangers = false;
+  batch.has_replaced_bodies = false;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (!lanes[lane] || !batch.is_stranger(lane)) continue;
-    batch.has_strangers = true;
+    if (!lanes[lane] || !batch.is_replaced(lane)) continue;
+    batch.has_replaced_bodies = true;
     lanes.reset(lane);
   }
   return lanes;
@@ -105,12 +105,12 @@ void give_gyroscopic_torque(Batch& batch, const LaneBits& lanes, const StepConte
 
 // Schemes that turn by the velocity at the start: constrained bodies still show the one of the last turn.
 void give_start_velocity(Batch& batch, const LaneBits& lanes, const StepContext& context) {
-  write_given(body_pointers(batch, lanes, context.bullet.nobody()), lanes, batch.omega_W, batch);
+  write_given(body_pointers(batch, lanes, context.bullet.placeholder()), lanes, batch.omega_W, batch);
 }
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_effective_inertia(const Batch& batch, const Vector3Wide& u_W, const Wide& dt,
-                            const TameLimits& limits, EffectiveInertiaResult<Wide>& result) noexcept {
+                            const ResolutionLimits& limits, EffectiveInertiaResult<Wide>& result) noexcept {
   result = effective_inertia<Wide>(batch.q_WB, batch.L_W, batch.inertia_B(), u_W, dt, limits);
 }
 
@@ -139,19 +139,19 @@ void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& 
   mean_angular_velocities_W(batch.q_WB, end.q_WB, batch.omega_W, dt, u_W);
   EffectiveInertiaResult<Wide> found;
   const bool takes_M = context.solver_takes_effective_inertia;
-  find_effective_inertia(batch, u_W, dt, takes_M ? kTameWithM : kTameWithoutM, found);
+  find_effective_inertia(batch, u_W, dt, takes_M ? kResolvedWithM : kResolvedWithoutM, found);
 
   if (batch.effective == nullptr) batch.effective = std::make_unique<EffectiveInertia<Wide>>();
   *batch.effective = found.effective;
-  batch.given_mean |= lanes & found.is_tame.bits();
-  batch.unresolved |= lanes & ~found.is_tame.bits();
-  write_given(body_pointers(batch, lanes, context.bullet.nobody()), lanes,
-              select(found.is_tame, u_W, batch.omega_W), batch);
+  batch.given_mean |= lanes & found.is_resolved.bits();
+  batch.unresolved |= lanes & ~found.is_resolved.bits();
+  write_given(body_pointers(batch, lanes, context.bullet.placeholder()), lanes,
+              select(found.is_resolved, u_W, batch.omega_W), batch);
   if (!takes_M) return;
   const LaneBits effective = batch.given_mean & lanes & ~found.is_negligible.bits();
   batch.given_effective |= effective;
   if (effective.any()) {
-    write_inverse_inertia(body_pointers(batch, effective, context.bullet.nobody()), found.inverse_W);
+    write_inverse_inertia(body_pointers(batch, effective, context.bullet.placeholder()), found.inverse_W);
   }
 }
 
@@ -160,7 +160,7 @@ void give_constrained(Batch& batch, const LaneBits& lanes, const StepContext& co
   find_slow(batch, Wide(static_cast<double>(context.dt)), slow);
   slow &= lanes;
   if (slow.any())
-    write_given(body_pointers(batch, slow, context.bullet.nobody()), slow, batch.omega_W, batch);
+    write_given(body_pointers(batch, slow, context.bullet.placeholder()), slow, batch.omega_W, batch);
   if (slow != lanes) give_mean_velocity(batch, lanes & ~slow, context);
 }
 

@@ -90,7 +90,7 @@ void take_over(Batch& batch, std::size_t lane) {
 }  // namespace
 
 void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& context) {
-  const BodyPointers bodies = body_pointers(batch, lanes, context.bullet.nobody());
+  const BodyPointers bodies = body_pointers(batch, lanes, context.bullet.placeholder());
   Found found;
   compare_with_written(bodies, lanes, batch, found);
   const LaneBits only_kicked = lanes & found.kicked & found.finite & ~found.changed & ~found.held;

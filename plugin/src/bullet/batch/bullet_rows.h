@@ -122,7 +122,7 @@ inline btVector3& total_torque(btRigidBody& body) {
 /// @}
 
 /// @name Between Bullet's precision and double
-/// As static_cast rounds; from Bullet to double nothing is lost.
+/// Rounds as static_cast does; from Bullet to double nothing is lost.
 /// @{
 POLHODE_INLINE BulletRows to_bullet(const Vector3Wide& v) {
   return {BulletWide::converted(v[0]), BulletWide::converted(v[1]), BulletWide::converted(v[2])};

@@ -21,19 +21,20 @@ struct EffectiveInertia {
   formulas::Matrix<Real> M_W;  ///< kg m^2
 };
 
-/// How large G may be beside I for the step to resolve the gyroscopic motion of a constrained body: with
+/// The step resolves the gyroscopic motion of a constrained body while G is this small beside I. With
 /// B = I^-1/2 G I^-1/2, every eigenvalue of its symmetric part above -symmetric, and the axial vector of its
 /// antisymmetric part shorter than `antisymmetric`.
-struct TameLimits {
+struct ResolutionLimits {
   double symmetric;
   double antisymmetric;
 };
-/// For solvers that take M. A wider symmetric limit lets hinges and locked axes gain energy (beyond half a radian
-/// a step a factor of 1.6 and 1.8 at 0.5, of 1.24 and 1.25 at 0.3). A narrower one drops the gyroscopic term
-/// sooner (at 0.2 a floating frame with a rod of ratio 10 at 30 rad/s loses its momentum, at 0.3 it keeps it).
-inline constexpr TameLimits kTameWithM = {0.3, 0.8};
+/// For solvers that take M. A wider symmetric limit lets hinges and locked axes gain energy (beyond half a
+/// radian a step a factor of 1.6 and 1.8 at 0.5, of 1.24 and 1.25 at 0.3). A narrower one drops the
+/// gyroscopic term sooner (at 0.2 a floating frame with a rod of ratio 10 at 30 rad/s loses its momentum, at
+/// 0.3 it keeps it).
+inline constexpr ResolutionLimits kResolvedWithM = {0.3, 0.8};
 /// For solvers that assume a symmetric matrix: they are given u and the plain inertia.
-inline constexpr TameLimits kTameWithoutM = {0.4, 0.4};
+inline constexpr ResolutionLimits kResolvedWithoutM = {0.4, 0.4};
 
 /// Below this, relative to I, G makes no difference: resting, slow and spherical bodies.
 inline constexpr double kNegligible = 1e-5;
@@ -62,7 +63,7 @@ struct EffectiveInertiaResult {
 
   EffectiveInertia<Real> effective;
   formulas::Matrix<Real> inverse_W;  ///< M^-1
-  Mask is_tame;
+  Mask is_resolved;
   Mask is_negligible;  ///< G is; M is then the plain inertia at the start of the step
 };
 
@@ -72,7 +73,8 @@ POLHODE_INLINE EffectiveInertiaResult<Real> effective_inertia(const formulas::Un
                                                               const formulas::Vector<Real>& L_W,
                                                               const formulas::Vector<Real>& inertia_B,
                                                               const formulas::Vector<Real>& u_W,
-                                                              const Real& dt, const TameLimits& limits) {
+                                                              const Real& dt,
+                                                              const ResolutionLimits& limits) {
   using std::max, std::abs, std::sqrt;
   using Mask = typename EffectiveInertiaResult<Real>::Mask;
   using Matrix = formulas::Matrix<Real>;
@@ -91,8 +93,8 @@ POLHODE_INLINE EffectiveInertiaResult<Real> effective_inertia(const formulas::Un
   const double s = limits.symmetric;
   const Real minor_2 = s * s - s01 * s01;
   const Real minor_3 = s * minor_2 - s * (s12 * s12 + s20 * s20) + 2.0 * s01 * s12 * s20;
-  const Mask is_tame = (minor_2 > Real(0.0)) & (minor_3 > Real(0.0)) &
-                       (a2 < Real(limits.antisymmetric * limits.antisymmetric));
+  const Mask is_resolved = (minor_2 > Real(0.0)) & (minor_3 > Real(0.0)) &
+                           (a2 < Real(limits.antisymmetric * limits.antisymmetric));
   const Real largest = max(max(max(Real(abs(B01)), Real(abs(B10))), max(Real(abs(B12)), Real(abs(B21)))),
                            max(Real(abs(B20)), Real(abs(B02))));
   const Mask is_negligible = largest < Real(kNegligible);
@@ -105,7 +107,7 @@ POLHODE_INLINE EffectiveInertiaResult<Real> effective_inertia(const formulas::Un
   const Matrix plain_inverse_W = R * inertia_B.cwiseInverse().asDiagonal() * R.transpose();
   return {{u_W, select(is_negligible, plain_W, Matrix(R_mid * M_B * R_mid.transpose()))},
           select(is_negligible, plain_inverse_W, Matrix(R_mid * inverse_B * R_mid.transpose())),
-          is_tame,
+          is_resolved,
           is_negligible};
 }
 

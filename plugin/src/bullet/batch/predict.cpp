@@ -51,7 +51,7 @@ LaneBits predict(Batch& batch, const StepContext& context) noexcept {
   }
   if (lanes.none()) return lanes;
   begin_step(batch, lanes, context);
-  predict_poses(batch, body_pointers(batch, lanes, context.bullet.nobody()), context.dt);
+  predict_poses(batch, body_pointers(batch, lanes, context.bullet.placeholder()), context.dt);
   return lanes;
 }
 

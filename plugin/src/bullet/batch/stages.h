@@ -29,7 +29,7 @@ void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& conte
 ///   constrained, and the scheme
 ///     turns by the start velocity   omega
 ///     carries omega                 omega, and the gyroscopic change as the impulse of a torque
-///     follows the free motion       tame: the turn velocity u, with the effective inertia M
+///     follows the free motion       resolved: the turn velocity u, with the effective inertia M
 ///                                   else: omega, with the plain inertia
 ///   held about an axis              the same, without what the axis forbids (locked_axes.h)
 ///
@@ -37,14 +37,14 @@ void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& conte
 /// one by the solver.
 void before_solve(Batch& batch, const StepContext& context) noexcept;
 
-/// After the solver: takes the step of the lanes given, which have been through before_solve, and writes it to
-/// Bullet's bodies. With v the velocity that the solver left and d = v - (the one it was given):
+/// After the solver: takes the step of the lanes given, which have been through before_solve, and writes it
+/// to Bullet's bodies. With v the velocity that the solver left and d = v - (the one it was given):
 ///
 ///   free, or nothing acted          the scheme's step with the kick d; shows the velocity at its end
 ///   constrained, and the scheme
 ///     turns by the start velocity   the same, but shows v, by which it turns
 ///     carries omega                 omega' = v, q' = turn(q, v)
-///     follows the free motion       tame: q' = turn(q, u + d), L' = L + M d; shows v
+///     follows the free motion       resolved: q' = turn(q, u + d), L' = L + M d; shows v
 ///                                   else: q' = turn(q, v), L' = I(q') v, without a gyroscopic term; shows v
 ///   held about an axis              locked_axes.h
 ///

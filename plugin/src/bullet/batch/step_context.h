@@ -8,24 +8,24 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Who moved a body's pose after the solve.
+/// Tells who moved a body's pose after the solve.
 enum class PoseIntegratedBy {
   bullet,   ///< Bullet's integrateTransforms: its turn is replaced
   library,  ///< nobody yet: Bullet's loop skipped the body
 };
 
-/// What the bodies of a step have in common.
+/// The values that all bodies of a step share.
 struct StepContext {
   btScalar dt;
-  /// By btCollisionObject::getWorldArrayIndex: whether the body has an enabled joint or a contact point.
+  /// 1 for a body with an enabled joint or a contact point, by btCollisionObject::getWorldArrayIndex.
   const std::vector<char>& is_constrained;
   /// False for solvers that assume a symmetric inverse inertia.
   bool solver_takes_effective_inertia;
-  /// Of this thread.
+  /// This thread's own.
   BulletTurn& bullet;
 };
 
-/// Whether Bullet's solver and integration move the body at present.
+/// Returns whether Bullet's solver and integration move the body at present.
 inline bool moves(const btRigidBody& body) {
   return body.isActive() && !body.isStaticOrKinematicObject();
 }

@@ -82,7 +82,7 @@ void write_step(Batch& batch, const LaneBits& lanes, PoseIntegratedBy integrator
   good &= lanes;
   store(good, solved, result, batch);
   if (batch.R_WB != nullptr) *batch.R_WB = select(wide_mask(good), result.state.R_WB, *batch.R_WB);
-  scatter_step(batch, body_pointers(batch, good, context.bullet.nobody()), solved.linear_velocity,
+  scatter_step(batch, body_pointers(batch, good, context.bullet.placeholder()), solved.linear_velocity,
                result.mean_W);
   if (integrator == PoseIntegratedBy::bullet) keep_later_kicks(batch, good, solved);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

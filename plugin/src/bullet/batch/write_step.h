@@ -6,7 +6,7 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// What Bullet's bodies hold after the solve.
+/// Bullet's bodies after the solve.
 struct Solved {
   BulletRows omega_W;        ///< the solver's; where Bullet integrated, what it integrated with
   BulletRows shown_later_W;  ///< what the body shows now

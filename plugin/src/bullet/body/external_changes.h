@@ -15,7 +15,7 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// What remains of a number that Bullet holds.
+/// Rounds a number as Bullet holds it.
 inline double rounded_to_bullet(double number) {
   return static_cast<double>(static_cast<btScalar>(number));
 }
@@ -47,7 +47,8 @@ Vector3 moments_B(const btVector3& inverse_inertia_B);
 /// Sets L from omega: by one formula everywhere, so that two histories of one state give the same bits.
 void make_momentum_agree(const Vector3& inertia_B, bool keeps_rotation, RotationState& state);
 
-/// Brings `state`, that of the lane, in line with what the body says now. Returns false if nothing was changed.
+/// Brings `state`, that of the lane, in line with what the body says now. Returns false if nothing was
+/// changed.
 bool adopt_external_changes(const Batch& batch, std::size_t lane, RotationState& state);
 
 /// The same for the batch itself.

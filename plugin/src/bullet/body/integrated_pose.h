@@ -2,13 +2,14 @@
 
 #include "bullet/batch/write_step.h"
 
-/// What Bullet does to a pose besides turning it by the angular velocity: split impulse turns it within the
-/// solver, and continuous collision detection stops a body within the step, whose dt Bullet then integrates in
-/// part only.
+/// Bullet does more to a pose than turn it by the angular velocity: split impulse turns it within the solver,
+/// and continuous collision detection stops a body within the step, whose dt Bullet then integrates in part
+/// only.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Whether continuous collision detection may stop the body in a step of dt. Errs towards true by rounding.
+/// Returns whether continuous collision detection may stop the body in a step of dt. Errs towards true by
+/// rounding.
 bool may_be_clamped(const btRigidBody& body, btScalar dt);
 
 /// The part of dt by which Bullet has integrated the body: less than 1 where it was stopped.

@@ -64,8 +64,8 @@ FreeTurn free_turn(const Batch& batch, std::size_t lane, const StepContext& cont
   const Vector3 mean_W = mean_angular_velocity_W(start, end, input.dt);
   const auto found =
       effective_inertia<double>(start.q_WB, start.L_W, input.inertia_B, mean_W, input.dt,
-                                context.solver_takes_effective_inertia ? kTameWithM : kTameWithoutM);
-  turn.is_resolved = found.is_tame;
+                                context.solver_takes_effective_inertia ? kResolvedWithM : kResolvedWithoutM);
+  turn.is_resolved = found.is_resolved;
   if (!turn.is_resolved) return turn;
   turn.velocity_W = mean_W;
   if (!found.is_negligible && context.solver_takes_effective_inertia) {

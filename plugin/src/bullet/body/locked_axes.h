@@ -16,7 +16,7 @@ POLHODE_INLINE BulletMask are_held(const BulletRows& inverse_inertia_B, const Bu
   return (I.x == zero) | (I.y == zero) | (I.z == zero) | (f.x == zero) | (f.y == zero) | (f.z == zero);
 }
 
-/// What remains of a velocity when torques about the locked world axes (factor 0) take those components out:
+/// Returns a velocity without its components about the locked world axes (factor 0), which torques take out:
 /// v - W P (P^T W P)^-1 P^T v, P the locked axes, W the inverse inertia (Gauss' principle). The locked
 /// components are 0.
 Vector3 project_onto_unlocked_axes(const Matrix3& inverse_inertia_W, const Vector3& angular_factor,

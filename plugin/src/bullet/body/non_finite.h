@@ -27,7 +27,7 @@ bool are_finite(const Values&... values) {
   return sum.x() + sum.y() + sum.z() == btScalar(0.0);
 }
 
-/// Whether pose, velocities, force and torque of the body are all finite.
+/// Returns whether pose, velocities, force and torque of the body are all finite.
 inline bool is_finite(const btRigidBody& body) {
   return are_finite(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(),
                     body.getTotalForce(), body.getTotalTorque());

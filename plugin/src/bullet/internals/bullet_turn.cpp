@@ -11,7 +11,7 @@ btRigidBody any_body() {
 
 }  // namespace
 
-BulletTurn::BulletTurn() : body_(any_body()), nobody_(any_body()) {}
+BulletTurn::BulletTurn() : body_(any_body()), placeholder_(any_body()) {}
 
 btMatrix3x3 BulletTurn::turned(const btMatrix3x3& basis, const btVector3& omega_W, btScalar dt) {
   body_.setWorldTransform(btTransform(basis));

@@ -22,11 +22,11 @@ class BulletTurn {
   btScalar damping_factor(btScalar angular_damping, btScalar dt);
 
   /// A body of no world: stands in for lanes without one, to be read and written at will.
-  btRigidBody& nobody() { return nobody_; }
+  btRigidBody& placeholder() { return placeholder_; }
 
  private:
   btRigidBody body_;
-  btRigidBody nobody_;
+  btRigidBody placeholder_;
   // Bullet takes a power for the factor; most bodies of a world have the same.
   btScalar damping_ = 0;
   btScalar damped_dt_ = 0;

@@ -67,7 +67,7 @@ btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world
   return world.*World::kActions;
 }
 
-// As btDiscreteDynamicsWorld::synchronizeMotionStates and synchronizeSingleMotionState choose.
+// btDiscreteDynamicsWorld::synchronizeMotionStates and synchronizeSingleMotionState choose alike.
 bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world) {
   const btScalar local_time = world.*World::kLocalTime;
   const btScalar fixed_time_step = world.*World::kFixedTimeStep;

@@ -19,7 +19,7 @@ int body_identity(const btRigidBody& body);
 /// btRigidBodyConstructionInfo::m_additionalDamping, which damps a slow body also at a damping of 0.
 bool has_additional_damping(const btRigidBody& body);
 
-/// What btRigidBody::updateInertiaTensor sets.
+/// The matrix that btRigidBody::updateInertiaTensor sets.
 btMatrix3x3& inverse_inertia_tensor_W(btRigidBody& body);
 
 /// Bullet's setters for these do more than the assignment, or take one body at a time.
@@ -39,8 +39,8 @@ inline btVector3& interpolation_angular_velocity(btRigidBody& body) {
 btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world);
 btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world);
 
-/// Whether synchronizeMotionStates, called now, would show bodies at a time between two steps, or objects
-/// that are not awake as well.
+/// Returns whether synchronizeMotionStates, called now, would show bodies at a time between two steps, or
+/// objects that are not awake as well.
 bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world);
 /// @}
 

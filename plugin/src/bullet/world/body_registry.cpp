@@ -48,11 +48,11 @@ bool BodyRegistry::synchronize(const Bodies& bodies, const SchemeChoices& choice
   return true;
 }
 
-void BodyRegistry::settle(const SchemeChoices& choices) {
+void BodyRegistry::apply_choices(const SchemeChoices& choices) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Batch* batch = lane_at(i).batch;
     const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
-    if (!is_stranger(i) && (batch == nullptr ? nullptr : batch->scheme.get()) == wanted.get()) continue;
+    if (!is_replaced(i) && (batch == nullptr ? nullptr : batch->scheme.get()) == wanted.get()) continue;
     remove(i);
     add(i, choices);
   }
@@ -82,16 +82,16 @@ BodyRegistry::Lane BodyRegistry::lane_at(std::size_t index, const btRigidBody& b
   return lane_at(index);
 }
 
-bool BodyRegistry::is_stranger(std::size_t index) const {
+bool BodyRegistry::is_replaced(std::size_t index) const {
   const Place& place = places_[index];
   const Lane lane = lane_at(index);
   const int seen = lane.batch != nullptr ? lane.batch->identities[lane.lane] : static_cast<int>(place.number);
   return seen != body_identity(*bodies_[index]);
 }
 
-bool BodyRegistry::has_strangers_left_to_bullet() const {
+bool BodyRegistry::has_replaced_bodies_left_to_bullet() const {
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i].family == kNone && is_stranger(i)) return true;
+    if (places_[i].family == kNone && is_replaced(i)) return true;
   }
   return false;
 }
@@ -99,7 +99,7 @@ bool BodyRegistry::has_strangers_left_to_bullet() const {
 BodyRegistry::Lane BodyRegistry::find(const btRigidBody& body, const SchemeChoices& choices) {
   const std::size_t index = index_of(body);
   if (index == bodies_.size()) return {nullptr, 0};
-  if (is_stranger(index)) restart(*bodies_[index], choices);
+  if (is_replaced(index)) restart(*bodies_[index], choices);
   return lane_at(index);
 }
 

@@ -25,7 +25,7 @@ class BodyRegistry {
   bool synchronize(const Bodies& bodies, const SchemeChoices& choices);
   /// Gives each body of the list the scheme that is chosen for it, starting afresh where that is another one,
   /// and where a new body has come to the address of an old one. To be called after synchronize.
-  void settle(const SchemeChoices& choices);
+  void apply_choices(const SchemeChoices& choices);
   /// The same for one body, starting afresh in any case.
   void restart(btRigidBody& body, const SchemeChoices& choices);
   void clear();
@@ -42,13 +42,13 @@ class BodyRegistry {
   Lane lane_at(std::size_t index) const;
   /// The same, but null if that is another body by now.
   Lane lane_at(std::size_t index, const btRigidBody& body) const;
-  /// The place of a body that is alive. A stranger is looked at afresh.
+  /// The place of a body that is alive. One that has replaced another is looked at afresh.
   Lane find(const btRigidBody& body, const SchemeChoices& choices);
 
-  /// True if another body than the one seen has come to the address of bodies()[index].
-  bool is_stranger(std::size_t index) const;
-  /// True for any of those that are in no batch.
-  bool has_strangers_left_to_bullet() const;
+  /// Returns whether another body than the one seen has come to the address of bodies()[index].
+  bool is_replaced(std::size_t index) const;
+  /// Returns whether that is so for any body that is in no batch.
+  bool has_replaced_bodies_left_to_bullet() const;
 
  private:
   // The bodies of one scheme, numbered from 0 to count - 1, eight to a batch.

@@ -9,8 +9,8 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Whether the application has given Bullet a task scheduler, as a btDiscreteDynamicsWorldMt needs one, and
-/// this is not one of its tasks: they do not nest.
+/// Returns whether the application has given Bullet a task scheduler, as a btDiscreteDynamicsWorldMt needs
+/// one, and this is not one of its tasks: they do not nest.
 inline bool bullet_has_threads() {
   const btITaskScheduler* scheduler = btGetTaskScheduler();
   return scheduler != nullptr && scheduler->getNumThreads() > 1 && !btThreadsAreRunning();

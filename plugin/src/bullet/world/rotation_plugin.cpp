@@ -39,7 +39,7 @@ void copy_settings(btSimulationIslandManagerMt& from, btSimulationIslandManagerM
   to.setIslandDispatchFunction(from.getIslandDispatchFunction());
 }
 
-// As the world makes and destroys its own.
+// Does what the world does to destroy its own.
 void destroy(btSimulationIslandManager& manager) {
   manager.~btSimulationIslandManager();
   btAlignedFree(&manager);
@@ -117,9 +117,9 @@ btSimulationIslandManager* make(btSimulationIslandManager& worlds_own, SolveList
 
 }  // namespace
 
-/// What the world holds of the plugin: its first action, and an island manager that takes the place of the
-/// world's. Bullet calls the manager's updateActivationState at the start of a solve, and the world destroys it
-/// when it dies. It is an island manager with the world's settings, so nobody who asks the world for it is
+/// Holds the plugin's two places in the world: the first action, and an island manager in the place of the
+/// world's. Bullet calls the manager's updateActivationState at the start of a solve, and the world destroys
+/// it when it dies. It is an island manager with the world's settings, so nobody who asks the world for it is
 /// misled.
 class RotationPlugin::Attachment final : public btActionInterface, public SolveListener {
  public:
@@ -139,7 +139,7 @@ class RotationPlugin::Attachment final : public btActionInterface, public SolveL
     if (manager_ != nullptr) put_back_manager();
   }
 
-  /// False once somebody has replaced the island manager.
+  /// Returns false once somebody has replaced the island manager.
   bool is_in_place() const { return island_manager(world_) == manager_; }
 
   void before_solve() override {
@@ -158,7 +158,8 @@ class RotationPlugin::Attachment final : public btActionInterface, public SolveL
   }
 
  private:
-  // If somebody has replaced ours meanwhile, theirs stays, and ours goes on as a plain one for whoever holds it.
+  // If somebody has replaced ours meanwhile, theirs stays, and ours goes on as a plain one for whoever holds
+  // it.
   void put_back_manager() {
     auto& ours = dynamic_cast<Listening&>(*manager_);
     ours.forget_listener();

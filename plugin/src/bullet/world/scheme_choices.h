@@ -15,7 +15,7 @@ inline namespace POLHODE_PRECISION {
 /// Which scheme the application wants for which body.
 class SchemeChoices {
  public:
-  /// Of every body without a choice of its own; null: Bullet rotates them.
+  /// The scheme of every body without a choice of its own; null: Bullet rotates them.
   SchemePointer default_scheme = polhode::default_scheme();
 
   /// Null: Bullet rotates the body.
@@ -41,8 +41,8 @@ class SchemeChoices {
   }
   /// To be called when bodies have come or gone.
   void bodies_changed() { changed_ = true; }
-  /// Whether some choice may be of a body that is gone: one was made, or bodies came or went, since the last
-  /// keep_only.
+  /// Returns whether some choice may be of a body that is gone: one was made, or bodies came or went, since
+  /// the last keep_only.
   bool changed() const { return changed_ && !choices_.empty(); }
 
  private:

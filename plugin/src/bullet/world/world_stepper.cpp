@@ -37,7 +37,7 @@ btDiscreteDynamicsWorld& require_discrete(btDynamicsWorld& world) {
       "btMultiBodyDynamicsWorld and classes derived from them");
 }
 
-// What each stage needs of a batch and its bodies, to be fetched while the one before is computed.
+// Each stage fetches what it needs of a batch and its bodies while the one before is computed.
 void prefetch_for_prediction(const Batch& batch) {
   prefetch(&batch, &batch + 1);
   for (const btRigidBody* body : batch.bodies) {
@@ -65,7 +65,7 @@ void prefetch_for_integration(const Batch& batch) {
   }
 }
 
-// Those of the lanes that continuous collision detection will not stop in this step.
+// Returns those of the lanes that continuous collision detection will not stop in this step.
 LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& context) {
   for (std::size_t lane = 0; lane < kLanes && batch.may_be_clamped.any(); ++lane) {
     if (batch.may_be_clamped[lane] && lanes[lane] && may_be_clamped(*batch.bodies[lane], context.dt))
@@ -80,8 +80,8 @@ void mark(const btCollisionObject& object, std::vector<char>& is_constrained) {
   if (object.getWorldArrayIndex() >= 0 && index < is_constrained.size()) is_constrained[index] = 1;
 }
 
-// Marks, by btCollisionObject::getWorldArrayIndex, the objects that the coming solve may constrain: those in an
-// enabled joint, and those in a manifold that has contact points and is answered (a trigger's is not).
+// Marks, by btCollisionObject::getWorldArrayIndex, the objects that the coming solve may constrain: those in
+// an enabled joint, and those in a manifold that has contact points and is answered (a trigger's is not).
 void find_constrained_bodies(btDiscreteDynamicsWorld& world, std::vector<char>& is_constrained) {
   is_constrained.assign(static_cast<std::size_t>(world.getNumCollisionObjects()), 0);
   btDispatcher& dispatcher = *world.getDispatcher();
@@ -140,7 +140,7 @@ void WorldStepper::set_default_scheme(SchemePointer scheme) {
   choices_.default_scheme = std::move(scheme);
   if (!claim_.holds()) return;
   synchronize();
-  registry_.settle(choices_);
+  registry_.apply_choices(choices_);
 }
 
 void WorldStepper::choose(btRigidBody& body, SchemePointer scheme) {
@@ -204,7 +204,7 @@ void WorldStepper::for_batches(btScalar dt, const Prefetch& prefetch_batch, cons
       if (i + 1 < last) prefetch_batch(*batches[i + 1]);
       function(*batches[i], context);
       if (batches[i]->lanes_with_incident().any()) has_incident_ = true;
-      if (batches[i]->has_strangers) has_strangers_ = true;
+      if (batches[i]->has_replaced_bodies) has_replaced_bodies_ = true;
     }
   });
 }
@@ -264,10 +264,10 @@ void WorldStepper::before_solve() noexcept {
   const auto before_solve_of = [](Batch& batch, const StepContext& context) {
     polhode::before_solve(batch, context);
   };
-  has_strangers_ = registry_.has_strangers_left_to_bullet();
+  has_replaced_bodies_ = registry_.has_replaced_bodies_left_to_bullet();
   for_batches(dt, prefetch_for_solve, before_solve_of);
-  if (has_strangers_) {
-    registry_.settle(choices_);
+  if (has_replaced_bodies_) {
+    registry_.apply_choices(choices_);
     for_batches(dt, prefetch_for_solve, before_solve_of);
   }
   forget_contacts_of_sanitized();

@@ -81,7 +81,7 @@ class WorldStepper {
   // Set from all threads.
   std::atomic<bool> some_may_be_clamped_{false};
   std::atomic<bool> has_incident_{false};
-  std::atomic<bool> has_strangers_{false};
+  std::atomic<bool> has_replaced_bodies_{false};
 };
 
 }  // namespace POLHODE_PRECISION
