@@ -12,7 +12,8 @@ namespace polhode {
 class LaneBits {
  public:
   LaneBits() = default;
-  LaneBits(const std::bitset<kLanes>& bits) : bits_(static_cast<std::uint8_t>(bits.to_ulong())) {}
+  /// Bit i of `bits` is lane i's.
+  explicit LaneBits(unsigned bits) : bits_(static_cast<std::uint8_t>(bits)) {}
 
   bool operator[](std::size_t lane) const { return (bits_ >> lane & 1U) != 0; }
   void set(std::size_t lane, bool value = true) {
@@ -27,19 +28,13 @@ class LaneBits {
 
   LaneBits& operator&=(LaneBits other) { return *this = *this & other; }
   LaneBits& operator|=(LaneBits other) { return *this = *this | other; }
-  friend LaneBits operator&(LaneBits a, LaneBits b) { return of(a.bits_ & b.bits_); }
-  friend LaneBits operator|(LaneBits a, LaneBits b) { return of(a.bits_ | b.bits_); }
-  friend LaneBits operator~(LaneBits a) { return of(~a.bits_); }
+  friend LaneBits operator&(LaneBits a, LaneBits b) { return LaneBits(unsigned{a.bits_} & b.bits_); }
+  friend LaneBits operator|(LaneBits a, LaneBits b) { return LaneBits(unsigned{a.bits_} | b.bits_); }
+  friend LaneBits operator~(LaneBits a) { return LaneBits(~unsigned{a.bits_}); }
   friend bool operator==(LaneBits a, LaneBits b) { return a.bits_ == b.bits_; }
   friend bool operator!=(LaneBits a, LaneBits b) { return a.bits_ != b.bits_; }
 
  private:
-  static LaneBits of(int bits) {
-    LaneBits result;
-    result.bits_ = static_cast<std::uint8_t>(bits);
-    return result;
-  }
-
   std::uint8_t bits_ = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <bitset>
 #include <cmath>
 
+#include "simd/lane_bits.h"
 #include "simd/registers.h"
 
 /// A number of each of eight bodies, in vector arithmetic. Each lane has the bits of plain arithmetic on
@@ -54,7 +55,8 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWideMask {
 
   POLHODE_INLINE const Masks& masks() const { return masks_; }
   POLHODE_INLINE std::bitset<kLanes> bits() const { return Registers::bits(masks_); }
-  bool operator[](std::size_t lane) const { return bits()[lane]; }
+  POLHODE_INLINE LaneBits lanes() const { return LaneBits(Registers::bits(masks_)); }
+  bool operator[](std::size_t lane) const { return lanes()[lane]; }
 
   friend POLHODE_INLINE BasicWideMask operator&(const BasicWideMask& a, const BasicWideMask& b) {
     return of([](auto& result, const auto& x, const auto& y) { result = x & y; }, a.masks_, b.masks_);

@@ -31,11 +31,11 @@ void read_solved(const BodyPointers& bodies, PoseIntegratedBy integrator, btScal
   }
   BulletDifferences turns;
   add_differences(gather_basis(bodies, basis), to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix())), turns);
-  solved.turned = by_bullet ? batch.constrained : ~turns.are_none().bits();
+  solved.turned = by_bullet ? batch.constrained : ~turns.are_none().lanes();
   BulletDifferences differences;
   add_differences(solved.omega_W, batch.written_omega_W, differences);
-  solved.acted = ~differences.are_none().bits();
-  solved.finite = are_surely_finite(omega_W, solved.omega_W, v, solved.origin).bits();
+  solved.acted = ~differences.are_none().lanes();
+  solved.finite = are_surely_finite(omega_W, solved.omega_W, v, solved.origin).lanes();
   const Vector3Wide change_W = to_double(solved.omega_W) - to_double(batch.written_omega_W);
   input = {batch.inertia_B(), change_W, Wide(static_cast<double>(dt))};
 }

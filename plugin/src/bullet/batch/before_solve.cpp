@@ -127,7 +127,7 @@ void find_slow(const Batch& batch, const Wide& dt, LaneBits& slow) noexcept {
   const Wide largest = max(max(inertia_B[0], inertia_B[1]), inertia_B[2]);
   const Wide smallest = min(min(inertia_B[0], inertia_B[1]), inertia_B[2]);
   const Wide change2 = batch.omega_W.squaredNorm() * (dt * dt) * (largest * largest);
-  slow = (change2 < (kNegligible * kNegligible) * (smallest * smallest)).bits();
+  slow = (change2 < (kNegligible * kNegligible) * (smallest * smallest)).lanes();
 }
 
 // Schemes whose turn has no constant velocity: constrained bodies are given the mean one.
@@ -143,12 +143,12 @@ void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& 
 
   if (batch.effective == nullptr) batch.effective = std::make_unique<EffectiveInertia<Wide>>();
   *batch.effective = found.effective;
-  batch.given_mean |= lanes & found.is_resolved.bits();
-  batch.unresolved |= lanes & ~found.is_resolved.bits();
+  batch.given_mean |= lanes & found.is_resolved.lanes();
+  batch.unresolved |= lanes & ~found.is_resolved.lanes();
   write_given(body_pointers(batch, lanes, context.bullet.placeholder()), lanes,
               select(found.is_resolved, u_W, batch.omega_W), batch);
   if (!takes_M) return;
-  const LaneBits effective = batch.given_mean & lanes & ~found.is_negligible.bits();
+  const LaneBits effective = batch.given_mean & lanes & ~found.is_negligible.lanes();
   batch.given_effective |= effective;
   if (effective.any()) {
     write_inverse_inertia(body_pointers(batch, effective, context.bullet.placeholder()), found.inverse_W);

@@ -24,21 +24,21 @@ void compare_with_written(const BodyPointers& bodies, const LaneBits& lanes, Bat
                   differences);
   const BulletRows inverse_B = gather(bodies, inverse_inertia_B);
   add_differences(inverse_B, batch.inverse_inertia_B, differences);
-  found.changed = ~differences.are_none().bits();
+  found.changed = ~differences.are_none().lanes();
   const BulletRows omega_W = gather(bodies, angular_velocity);
   BulletDifferences differences_of_velocity;
   add_differences(omega_W, batch.written_omega_W, differences_of_velocity);
-  found.kicked = ~differences_of_velocity.are_none().bits();
+  found.kicked = ~differences_of_velocity.are_none().lanes();
   const BulletRows place = gather(bodies, origin);
   const BulletRows torque_W = gather(bodies, total_torque);
   const BulletMask finite = are_surely_finite(omega_W, gather(bodies, linear_velocity), place,
                                               gather(bodies, total_force), torque_W);
-  found.finite = finite.bits();
+  found.finite = finite.lanes();
   const BulletMask no_torque =
       (torque_W.x == btScalar(0)) & (torque_W.y == btScalar(0)) & (torque_W.z == btScalar(0));
-  batch.torqued = (batch.torqued & ~lanes) | (lanes & ~no_torque.bits());
+  batch.torqued = (batch.torqued & ~lanes) | (lanes & ~no_torque.lanes());
   batch.origin = select(finite & bullet_mask(lanes), place, batch.origin);
-  found.held = are_held(inverse_B, gather(bodies, angular_factor)).bits();
+  found.held = are_held(inverse_B, gather(bodies, angular_factor)).lanes();
 }
 
 // adopt_external_changes for lanes where it is the velocity alone.

@@ -20,7 +20,7 @@ void find_within_limits(const WideState& state, LaneBits& result) noexcept {
   const Wide longest2 = max(max(columns2[0], columns2[1]), columns2[2]);
   result = ((state.omega_W.squaredNorm() <= Wide(kMaximumAngularSpeed * kMaximumAngularSpeed)) &
             (longest2 <= Wide(kMaximumSwelling * kMaximumSwelling)) & (probe == Wide(0.0)))
-               .bits();
+               .lanes();
 }
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
@@ -52,7 +52,7 @@ void scatter_step(const Batch& batch, const BodyPointers& bodies, const BulletRo
 void keep_later_kicks(const Batch& batch, const LaneBits& lanes, const Solved& solved) {
   BulletDifferences differences;
   add_differences(solved.shown_later_W, solved.omega_W, differences);
-  const LaneBits kicked = lanes & ~differences.are_none().bits();
+  const LaneBits kicked = lanes & ~differences.are_none().lanes();
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (!kicked[lane]) continue;
     const btVector3 kick_W =
