@@ -113,6 +113,10 @@ void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
     for (int i = 0; i < 3; ++i) effective->u_W[i].set(to, other.effective->u_W[i][from]);
     for (int i = 0; i < 9; ++i) effective->M_W.coeffRef(i).set(to, other.effective->M_W.coeff(i)[from]);
   }
+  if (other.held_turns != nullptr) {
+    if (held_turns == nullptr) held_turns = std::make_unique<std::array<HeldTurn, kLanes>>();
+    (*held_turns)[to] = (*other.held_turns)[from];
+  }
   steps[to] = other.steps[from];
   unresolved_steps[to] = other.unresolved_steps[from];
   for (std::size_t kind = 0; kind < kIncidentKinds; ++kind) {

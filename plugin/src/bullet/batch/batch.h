@@ -14,6 +14,15 @@ inline namespace POLHODE_PRECISION {
 
 inline constexpr std::size_t kIncidentKinds = 2;
 
+/// The free step of a body that may not turn freely, as the solver is told of it.
+struct HeldTurn {
+  Vector3 velocity_W;
+  Matrix3 momentum_W;  ///< dL = momentum_W dv
+  Matrix3 inverse_W;
+  bool is_effective;        ///< not the plain inertia
+  bool is_resolved = true;  ///< false: dt is too long to resolve the gyroscopic motion
+};
+
 /// Up to eight bodies of one scheme, side by side for as long as they stay. Lane i of every member is body i;
 /// a lane without a body is a hole. Everything is double, except what Bullet's bodies held when the library
 /// last wrote them.
@@ -50,7 +59,8 @@ struct alignas(64) Batch {
   LaneBits unresolved;       ///< omega alone: dt is too long to resolve their gyroscopic motion
   std::array<std::uint8_t, kLanes> gyroscopic_flags{};  ///< the application's, which the solver has not
   std::unique_ptr<BulletRows> applied_torque_W;  ///< the application's, of lanes given_torque; null at first
-  std::unique_ptr<EffectiveInertia<Wide>> effective;  ///< of lanes given_mean; null at first
+  std::unique_ptr<EffectiveInertia<Wide>> effective;         ///< of lanes given_mean; null at first
+  std::unique_ptr<std::array<HeldTurn, kLanes>> held_turns;  ///< of lanes held; null at first
 
   // Counts and incidents.
   std::array<std::uint64_t, kLanes> steps{};

@@ -19,16 +19,7 @@ bool has_infinite_moment(const btRigidBody& body) {
   return inverse.x() == 0 || inverse.y() == 0 || inverse.z() == 0;
 }
 
-// The free step of a held body as the solver is told of it.
-struct FreeTurn {
-  Vector3 velocity_W;
-  Matrix3 momentum_W;  // dL = momentum_W dv
-  Matrix3 inverse_W;
-  bool is_effective;        // not the plain inertia
-  bool is_resolved = true;  // false: dt is too long to resolve the gyroscopic motion
-};
-
-FreeTurn plain_turn(const RotationState& state, const btVector3& inverse_inertia_B) {
+HeldTurn plain_turn(const RotationState& state, const btVector3& inverse_inertia_B) {
   const Vector3 inertia_B = moments_B(inverse_inertia_B);
   return {state.omega_W, state.R_WB * inertia_B.asDiagonal() * state.R_WB.transpose(),
           state.R_WB * to_double(inverse_inertia_B).asDiagonal() * state.R_WB.transpose(), false};
@@ -48,10 +39,10 @@ Vector3 mean_angular_velocity_W(const RotationState& start, const RotationState&
   return result;
 }
 
-FreeTurn free_turn(const Batch& batch, std::size_t lane, const StepContext& context) {
+HeldTurn free_turn(const Batch& batch, std::size_t lane, const StepContext& context) {
   const btRigidBody& body = *batch.bodies[lane];
   const RotationState start = batch.state(lane);
-  FreeTurn turn = plain_turn(start, body.getInvInertiaDiagLocal());
+  HeldTurn turn = plain_turn(start, body.getInvInertiaDiagLocal());
   if (has_infinite_moment(body) || batch.turn_velocity == TurnVelocity::start) return turn;
   const StepInput input = {moments_B(body.getInvInertiaDiagLocal()), Vector3::Zero(),
                            static_cast<double>(context.dt)};
@@ -106,7 +97,9 @@ Vector3 project_onto_unlocked_axes(const Matrix3& inverse_inertia_W, const Vecto
 
 void give_held(Batch& batch, std::size_t lane, const StepContext& context) {
   btRigidBody& body = *batch.bodies[lane];
-  const FreeTurn turn = free_turn(batch, lane, context);
+  if (batch.held_turns == nullptr) batch.held_turns = std::make_unique<std::array<HeldTurn, kLanes>>();
+  HeldTurn& turn = (*batch.held_turns)[lane];
+  turn = free_turn(batch, lane, context);
   const Vector3 shown_W = to_double(vector_in_lane(batch.written_omega_W, lane));
   const Vector3 given_W = with_locked_axes_kept(turn.inverse_W, body, shown_W, turn.velocity_W);
   body.setAngularVelocity(to_bullet(given_W));
@@ -117,7 +110,7 @@ void give_held(Batch& batch, std::size_t lane, const StepContext& context) {
 
 RotationState step_held(const Batch& batch, std::size_t lane, const StepContext& context, Vector3& solved_W) {
   const btRigidBody& body = *batch.bodies[lane];
-  const FreeTurn turn = free_turn(batch, lane, context);
+  const HeldTurn& turn = (*batch.held_turns)[lane];
   const Vector3 given_W = to_double(vector_in_lane(batch.written_omega_W, lane));
   solved_W = with_locked_axes_kept(turn.inverse_W, body, given_W, solved_W);
   const Vector3 change_W = solved_W - turn.velocity_W;
