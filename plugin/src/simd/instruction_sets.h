@@ -5,10 +5,10 @@
 /// Before a function: compiled once for each instruction set named, and the best that the processor has is
 /// chosen when the program is loaded. All that the function calls is compiled into it. The bits are the same,
 /// see wide.h. Elsewhere (another processor, system or compiler; ThreadSanitizer, which cannot run so early;
-/// AddressSanitizer, with which GCC takes minutes for each) the function is compiled once, for what the
-/// compiler is told to use.
+/// AddressSanitizer, with which GCC takes minutes for each; or where POLHODE_ONE_INSTRUCTION_SET is defined)
+/// the function is compiled once, for what the compiler is told to use.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && \
-    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
+    !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__) && !defined(POLHODE_ONE_INSTRUCTION_SET)
 #define POLHODE_CLONES
 #define POLHODE_FOR_EACH_INSTRUCTION_SET __attribute__((flatten, target_clones("avx512f", "avx2", "default")))
 #elif defined(__GNUC__)
