@@ -60,7 +60,9 @@ class ChangingWorld {
 
  private:
   // A generator's numbers are the standard's, a distribution's are not.
-  double uniform(double low, double high) { return low + (high - low) * (random_() / 4294967296.0); }
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
+  }
   bool chance(double probability) { return uniform(0, 1) < probability; }
   btVector3 random_vector(double low, double high) {
     const double x = uniform(low, high), y = uniform(low, high), z = uniform(low, high);
@@ -116,10 +118,9 @@ class ChangingWorld {
   void use_default(std::size_t i) {
     Place& place = places_[i];
     plugin_.rotation().use_default_scheme(*place.body);
-    // Goes on where the scheme stays the same.
-    if (place.is_released || place.scheme != "exact") place.steps = 0;
     place.is_released = false;
     place.scheme = "exact";
+    place.steps = 0;
   }
 
   void change_something() {
@@ -154,7 +155,6 @@ class ChangingWorld {
       place.steps = 0;
       place.watched.reset();
     }
-    ++reattachments_;
   }
 
   void check(std::int64_t step) {
@@ -190,7 +190,6 @@ class ChangingWorld {
   RotationPlugin plugin_;
   std::vector<Place> places_{kBodies};
   Drift drift_;
-  std::int64_t reattachments_ = 0;
 };
 
 }  // namespace

@@ -25,10 +25,8 @@ inline bool is_one_register(std::size_t bytes) {
 #if defined(POLHODE_CLONES)
   return bytes <= 16 || (bytes <= 32 && __builtin_cpu_supports("avx2")) ||
          (bytes <= 64 && __builtin_cpu_supports("avx512f"));
-#elif defined(__AVX512F__)
-  return bytes <= 64;
-#elif defined(__AVX2__)
-  return bytes <= 32;
+#elif defined(POLHODE_REGISTER_BYTES)
+  return bytes <= POLHODE_REGISTER_BYTES;  // __AVX2__ and the like are hidden, see CompilerSettings.cmake
 #else
   return bytes <= 16;
 #endif
