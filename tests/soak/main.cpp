@@ -7,7 +7,8 @@
 #include "soak/soak_run.h"
 
 int main(int argument_count, char** arguments) {
-  const long long steps = argument_count == 2 ? std::atoll(arguments[1]) : 0;
+  // Divides into checkpoints without rest.
+  const long long steps = argument_count == 2 ? std::atoll(arguments[1]) / 1000 * 1000 : 0;
   if (steps < 1000) {
     std::fprintf(stderr, "polhode_soak: give the number of steps, at least 1000\n");
     return 2;
