@@ -1,6 +1,7 @@
 #include "scenario/checked_object.h"
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scenario/json_file.h"
@@ -18,6 +19,14 @@ std::string excerpt(const nlohmann::json& value) {
 
 std::string element(const std::string& key, std::size_t index) {
   return key + "[" + std::to_string(index) + "]";
+}
+
+// A vector or quaternion of unit length to rounding stays as it is: normalized again it could change in the last
+// bit, and a file would not read back as what was written.
+template <class T>
+T with_unit_length(const T& value) {
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  return std::abs(value.squaredNorm() - 1.0) <= kRounding ? value : T(value.normalized());
 }
 
 }  // namespace
@@ -67,7 +76,7 @@ Vector3 CheckedObject::direction(const std::string& key, const Vector3& fallback
   const Vector3 vector = this->vector(key, {-1e6, 1e6}, fallback);
   // Far below this a division by the length would overflow.
   if (vector.norm() < 1e-12) fail(key, "must have a direction, is " + excerpt(value_->at(key)));
-  return vector.normalized();
+  return with_unit_length(vector);
 }
 
 Quaternion CheckedObject::orientation(const std::string& key) {
@@ -80,7 +89,7 @@ Quaternion CheckedObject::orientation(const std::string& key) {
   for (std::size_t i = 0; i < 4; ++i) wxyz[i] = checked_number(list[i], element(key, i), range);
   const Quaternion q_WB(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   if (q_WB.norm() < 1e-12) fail(key, "must not be the zero quaternion; [1, 0, 0, 0] is no rotation");
-  return q_WB.normalized();
+  return with_unit_length(q_WB);
 }
 
 CheckedObject CheckedObject::object(const std::string& key) {

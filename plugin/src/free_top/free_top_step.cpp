@@ -9,6 +9,15 @@ namespace {
 
 constexpr double kOrders = FreeTopStep<double>::kOrders;
 
+// rad. In double a longer turn is not known to a tenth of a radian, nor how many periods of it are whole: what
+// would be left could be millions of substeps.
+constexpr double kLongestStep = 1e15;
+
+bool is_known(const Motion<double>& motion) {
+  constexpr double kLongest2 = kLongestStep * kLongestStep;
+  return motion.turn2 <= kLongest2 && motion.nu_h2 <= kLongest2;
+}
+
 }  // namespace
 
 Axes<double> axes_of(const FreeTopStep<double>& step) {
@@ -35,7 +44,7 @@ FreeTopStep<double> make_free_top_step(const Vector3& inertia_B, const Vector3& 
   if (is_short(motion)) {
     step.substep = make_substep(motion, body.parity, length, 0.0);
     step.cos_about_L = 1.0;
-  } else if (!moves(motion) || !std::isfinite(motion.turn2 + motion.nu_h2)) {
+  } else if (!moves(motion) || !is_known(motion)) {
     set_substeps(step, 0);
     set_turn_about_L(step, motion.energy_angle, length);
   } else {

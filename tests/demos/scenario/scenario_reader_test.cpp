@@ -110,6 +110,24 @@ TEST(ScenarioReader, FindsWhatTheWriterWrote) {
   EXPECT_EQ(scenario_json(parse_scenario(defaults, "b.json")).dump(), defaults);
 }
 
+// The quaternion of unit length that this becomes would change in the last bit if it were normalized again.
+TEST(ScenarioReader, FindsTheSameOrientationAgain) {
+  const std::string written =
+      scenario_json(
+          parse_scenario(body_with(R"(, "orientation": [0.96891242171064473, 0, 0.24740791850904588, 0],
+          "ground": {"normal": [1, 2, 3]})"),
+                         "a.json"))
+          .dump();
+  EXPECT_EQ(scenario_json(parse_scenario(written, "b.json")).dump(), written);
+  for (int i = 1; i < 1000; ++i) {
+    const std::string number = std::to_string(i);
+    const std::string keys =
+        R"(, "orientation": [3, )" + number + R"(, 2, 7], "ground": {"normal": [5, )" + number + ", 1]}";
+    const std::string once = scenario_json(parse_scenario(body_with(keys), "a.json")).dump();
+    EXPECT_EQ(scenario_json(parse_scenario(once, "b.json")).dump(), once) << i;
+  }
+}
+
 TEST(ScenarioReader, IgnoresTheGlobalLocale) {
   const ForeignLocale foreign;
   const Scenario scenario = parse_scenario(body_with(R"(, "mass": 1234.5)"), "a.json");

@@ -9,6 +9,7 @@
 
 #include "polhode/bullet/rotation_plugin.h"
 #include "polhode/bullet/rotation_world.h"
+#include "support/both_ways.h"
 #include "support/scene.h"
 
 namespace polhode::testing {
@@ -229,6 +230,33 @@ TEST(SanitizedBody, KeepsWhatWasFinite) {
   EXPECT_EQ(body.getWorldTransform().getOrigin(), btVector3(5, 6, 7));
   EXPECT_EQ(body.getLinearVelocity(), btVector3(0, 0, 0));
   EXPECT_GT(rotation.state.omega_W.norm(), 5.0);
+}
+
+template <class Way>
+class Overflow : public ::testing::Test {};
+TYPED_TEST_SUITE(Overflow, BothWays, WayName);
+
+// The velocity is finite, the way that it leads in a step is not.
+TYPED_TEST(Overflow, OfThePositionLeavesTheBodyWhereItWas) {
+  TypeParam scene;
+  btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  scene.step(kDt);
+  body.setLinearVelocity(btVector3(0, std::numeric_limits<btScalar>::max(), 0));
+  scene.world().stepSimulation(10, 0);
+  EXPECT_TRUE(is_finite(body));
+  EXPECT_EQ(scene.rotation().incidents(), 1u);
+}
+
+// Bullet rotates a body that has diverged, here by a gyroscopic term that is no number.
+TYPED_TEST(Overflow, OfADivergedBodyIsTakenOutInTheSameStep) {
+  TypeParam scene;
+  const btScalar huge = std::numeric_limits<btScalar>::max();
+  btRigidBody& body = scene.add_free(btVector3(huge, 0, 0), btVector3(huge, 1, huge));
+  for (int i = 0; i < 5; ++i) {
+    scene.step(kDt);
+    EXPECT_TRUE(is_finite(body)) << i;
+  }
+  EXPECT_TRUE(scene.rotation().rotation_of(body).diverged);
 }
 
 TEST(StepOfNanSeconds, LeavesEveryBodyFinite) {

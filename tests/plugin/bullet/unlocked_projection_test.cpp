@@ -56,6 +56,18 @@ TEST(ProjectionOntoUnlockedAxes, LeavesAVelocityAloneWhereNothingIsLocked) {
   EXPECT_EQ(project_onto_unlocked_axes(inverse, Vector3(1, 1, 1), Vector3(4, 5, 6)), Vector3(4, 5, 6));
 }
 
+TEST(ProjectionOntoUnlockedAxes, IsFiniteWhereTheBodyHasNoInverseInertiaAboutALockedAxis) {
+  for (int mask = 0; mask < 8; ++mask) {
+    const Vector3 factor(mask & 1, (mask >> 1) & 1, (mask >> 2) & 1);
+    for (const Vector3& inverse_B :
+         {Vector3(0, 0, 0), Vector3(1e-30, 0, 0), Vector3(0, 1, 1), Vector3(0, 0, 1)}) {
+      EXPECT_TRUE(project_onto_unlocked_axes(inverse_B.asDiagonal(), factor, Vector3(4, 5, 6)).allFinite());
+    }
+  }
+  EXPECT_EQ(project_onto_unlocked_axes(Vector3(0, 0, 1).asDiagonal(), Vector3(0, 0, 1), Vector3(0, 0, 4)),
+            Vector3(0, 0, 4));
+}
+
 TEST(ProjectionOntoUnlockedAxes, LeavesNothingWhereAllIsLocked) {
   const Matrix3 inverse = inverse_inertia_W(Matrix3::Identity(), Vector3(1, 2, 3));
   EXPECT_EQ(project_onto_unlocked_axes(inverse, Vector3(0, 0, 0), Vector3(4, 5, 6)), Vector3::Zero());

@@ -104,5 +104,17 @@ TEST(Substep, OfEightBodiesIsThatOfEachToTheLastBit) {
   }
 }
 
+// Past 1e15 rad rounding decides how many periods are whole; the rest would take hours of substeps.
+TEST(FreeTopStep, TakesFewSubstepsHoweverLongItIs) {
+  for (const Vector3& inertia_B : {Vector3(1, 2, 3), Vector3(1e-6, 1, 1e6), Vector3(1, 1, 2)}) {
+    for (const Vector3& direction_B : {Vector3(1, 2, 3), Vector3(1e-9, 1, 1e-9), Vector3(0, 1, 0)}) {
+      for (double length = 1.0; length < 1e60; length *= 7.0) {
+        const FreeTopStep<double> step = make_free_top_step(inertia_B, direction_B * length, 1.0);
+        EXPECT_LE(substeps_of(step), 400) << length;  // measured at most 220
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace polhode::free_top

@@ -50,13 +50,18 @@ void restore(const Batch& batch, const LaneBits& lanes) {
   }
 }
 
+// The body and where it has come to. Where the library integrates, that is not in the body yet.
+bool ends_finite(const btRigidBody& body, const Solved& solved, std::size_t lane) {
+  return solved.finite[lane] || (is_finite(body) && are_finite(vector_in_lane(solved.origin, lane)));
+}
+
 // Lanes whose body still moves, with finite numbers. The others take no step.
 LaneBits lanes_to_step(Batch& batch, const LaneBits& lanes, const Solved& solved) {
   LaneBits stepping = lanes;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
     btRigidBody& body = *batch.bodies[lane];
-    if (!solved.finite[lane] && !is_finite(body)) {
+    if (!ends_finite(body, solved, lane)) {
       batch.sanitize(lane);
       stepping.reset(lane);
     } else if (!moves(body)) {
@@ -194,7 +199,6 @@ void after_solve(Batch& batch, LaneBits lanes, PoseIntegratedBy integrator,
     turn_by_solved(batch, result.turns_by_solved, input, solved, context, result);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (stepping[lane] && batch.unresolved[lane]) ++batch.unresolved_steps[lane];
     if (stepping[lane] && batch.held[lane]) take_held_step(batch, lane, solved, context, result);
     if (stepping[lane] && integrator == PoseIntegratedBy::bullet)
       clamp_step(batch, lane, solved, context, result);

@@ -29,15 +29,6 @@ LaneBits lanes_to_begin(const Batch& batch) {
   return lanes;
 }
 
-// A diverged body is Bullet's, but still kept from spreading a NaN.
-void sanitize_diverged(Batch& batch) {
-  for (std::size_t lane = 0; lane < kLanes && batch.diverged.any(); ++lane) {
-    if (!batch.diverged[lane] || batch.is_replaced(lane)) continue;
-    const btRigidBody& body = *batch.bodies[lane];
-    if ((moves(body) || is_switched_off_by_nan(body)) && !is_finite(body)) batch.sanitize(lane);
-  }
-}
-
 // Lanes whose body was looked at by begin_step, now or in predict, and is still the same.
 LaneBits lanes_to_solve(Batch& batch) {
   LaneBits lanes = batch.begun & ~batch.in_solve;
@@ -166,8 +157,16 @@ void give_constrained(Batch& batch, const LaneBits& lanes, const StepContext& co
 
 }  // namespace
 
+void sanitize_left_to_bullet(Batch& batch, const LaneBits& lanes) noexcept {
+  for (std::size_t lane = 0; lane < kLanes && lanes.any(); ++lane) {
+    if (!lanes[lane] || batch.bodies[lane] == nullptr || batch.is_replaced(lane)) continue;
+    const btRigidBody& body = *batch.bodies[lane];
+    if ((moves(body) || is_switched_off_by_nan(body)) && !is_finite(body)) batch.sanitize(lane);
+  }
+}
+
 void before_solve(Batch& batch, const StepContext& context) noexcept {
-  if (batch.diverged.any()) sanitize_diverged(batch);
+  sanitize_left_to_bullet(batch, batch.diverged);
   const LaneBits beginning = lanes_to_begin(batch);
   if (beginning.any()) begin_step(batch, beginning, context);
   const LaneBits lanes = lanes_to_solve(batch);

@@ -57,11 +57,14 @@ void adopt_kicks(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch
   batch.written_omega_W = select(bullet_mask(lanes), omega_W, batch.written_omega_W);
 }
 
-// Bullet has multiplied the velocity by the factor: that is damping, not a change by somebody else.
+// Bullet has multiplied the velocity by the factor: that is damping, not a change by somebody else. A factor
+// that leaves the finite (a damping of 1 in a step back in time) is left to be found as such: the velocity
+// that was written is what a body is then set back to.
 POLHODE_FOR_EACH_INSTRUCTION_SET
-void scale_velocity(const LaneBits& lanes, const BulletWide& factor, Batch& batch) noexcept {
+void scale_velocity(const LaneBits& damped, const BulletWide& factor, Batch& batch) noexcept {
   const BulletRows& written_W = batch.written_omega_W;
   const BulletRows damped_W = {written_W.x * factor, written_W.y * factor, written_W.z * factor};
+  const LaneBits lanes = damped & are_surely_finite(damped_W).bits();
   batch.written_omega_W = select(bullet_mask(lanes), damped_W, written_W);
   const WideMask mask = wide_mask(lanes);
   const Wide factor_of_state = Wide::converted(factor);

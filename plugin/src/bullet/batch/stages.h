@@ -22,6 +22,10 @@ void begin_step(Batch& batch, const LaneBits& lanes, const StepContext& context)
 /// Adopts what somebody changed of the lanes' bodies since the library last wrote or adopted it.
 void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& context);
 
+/// Keeps bodies that take no step of the library's from spreading a NaN: diverged ones, and after Bullet's
+/// integration those that Bullet woke or switched off within the step.
+void sanitize_left_to_bullet(Batch& batch, const LaneBits& lanes) noexcept;
+
 /// Right before the solver, when collision detection is done: clears the gyroscopic flags until the step
 /// ends, and gives the solver the velocity it should start from:
 ///

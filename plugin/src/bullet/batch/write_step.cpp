@@ -88,6 +88,7 @@ void write_step(Batch& batch, const LaneBits& lanes, PoseIntegratedBy integrator
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (good[lane]) {
       ++batch.steps[lane];
+      if (batch.unresolved[lane]) ++batch.unresolved_steps[lane];
     } else if (lanes[lane]) {
       stop(batch, lane, solved);
     }

@@ -79,15 +79,17 @@ Vector3 with_locked_axes_kept(const Matrix3& inverse_inertia_W, const btRigidBod
 
 Vector3 project_onto_unlocked_axes(const Matrix3& inverse_inertia_W, const Vector3& angular_factor,
                                    const Vector3& v_W) {
-  // Locked rows: (W torque)_i = -v_i; free rows: torque_i = 0.
+  // Locked rows: (W torque)_i = -v_i, scaled to the size of the others; free rows: torque_i = 0. Where the body
+  // has no inverse inertia about a locked axis either, the system is singular: it takes no torque there.
   Matrix3 system = Matrix3::Identity();
   Vector3 right = Vector3::Zero();
   for (int axis = 0; axis < 3; ++axis) {
-    if (angular_factor[axis] != 0.0) continue;
-    system.row(axis) = inverse_inertia_W.row(axis);
-    right[axis] = -v_W[axis];
+    const double size = inverse_inertia_W.row(axis).cwiseAbs().maxCoeff();
+    if (angular_factor[axis] != 0.0 || size == 0.0) continue;
+    system.row(axis) = inverse_inertia_W.row(axis) / size;
+    right[axis] = -v_W[axis] / size;
   }
-  const Vector3 locking_impulse = system.partialPivLu().solve(right);
+  const Vector3 locking_impulse = system.fullPivLu().solve(right);
   Vector3 result = v_W + inverse_inertia_W * locking_impulse;
   for (int axis = 0; axis < 3; ++axis) {
     if (angular_factor[axis] == 0.0) result[axis] = 0.0;

@@ -277,7 +277,9 @@ void WorldStepper::after_integration(btScalar dt) noexcept {
   if (world_ == nullptr || !claim_.holds()) return;
   synchronize();
   for_batches(dt, prefetch_for_integration, [](Batch& batch, const StepContext& context) {
+    const LaneBits left_to_bullet = ~(batch.in_solve | batch.of_library);
     after_solve(batch, batch.in_solve, PoseIntegratedBy::bullet, context);
+    sanitize_left_to_bullet(batch, left_to_bullet);
   });
   report();
 }

@@ -1,0 +1,39 @@
+// Reads recordings of the viewer. A file that is refused is refused by ScenarioError or
+// std::invalid_argument. The start of one that is read is replayed.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "fuzz/temporary_file.h"
+#include "scenario/json_file.h"
+#include "viewer/model/recording.h"
+#include "viewer/model/session.h"
+
+namespace polhode::demos {
+namespace {
+
+constexpr std::int64_t kSteps = 3;
+constexpr std::size_t kHistory = 16;
+
+void replay(const std::filesystem::path& file) {
+  try {
+    const Recording recording = read_recording(file);
+    const std::int64_t last = std::min(recording.steps(), kSteps);
+    Session session(recording, kHistory);
+    session.run_to(last);
+  } catch (const ScenarioError&) {
+  } catch (const std::invalid_argument&) {
+  } catch (const std::runtime_error&) {  // another step than was recorded
+  }
+}
+
+}  // namespace
+}  // namespace polhode::demos
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const polhode::fuzz::TemporaryFile file;
+  file.write(data, size);
+  polhode::demos::replay(file.path());
+  return 0;
+}

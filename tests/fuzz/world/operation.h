@@ -1,0 +1,85 @@
+#pragma once
+
+#include <LinearMath/btVector3.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fuzz/bytes.h"
+
+namespace polhode::fuzz {
+
+constexpr std::size_t kSlots = 12;  ///< bodies that a world may have
+constexpr std::size_t kJoints = 6;
+
+/// What an application does to a world, its bodies or the library.
+enum class Kind : std::uint8_t {
+  // Within a step as well as between two steps, and to a body that is in contact:
+  velocity,
+  kick,
+  damping,
+  factors,
+  flags,
+  mass,
+  // In tick callbacks, in actions and between steps:
+  teleport,
+  activation,
+  choose_scheme,
+  release,
+  use_default_scheme,
+  add,
+  remove,
+  put_back,
+  erase,
+  // Between two steps alone:
+  gravity,
+  kinematic,
+  join,
+  unjoin,
+  motor,
+  default_scheme,
+  clear_default_scheme,
+  detach,
+  attach,
+  renew_second_world,
+  continuous_collision,
+  material,
+  settings,
+  within_step,  ///< the next operation is done within the next step
+  step,
+  count
+};
+
+/// Where in a step an operation is done.
+enum class Place : std::uint8_t { before, contact, action, after, motion_state, count };
+
+/// An operation with all its numbers, so that it can be done alike on several worlds.
+struct Operation {
+  Kind kind = Kind::step;
+  std::size_t variant = 0;
+  std::size_t world = 0;
+  std::size_t slot = 0;
+  std::size_t other = 0;
+  btVector3 a = btVector3(0, 0, 0);
+  btVector3 b = btVector3(0, 0, 0);
+  btScalar x = 0;
+  btScalar y = 0;
+  Place place = Place::before;  ///< of within_step
+};
+
+/// What the operations of an input may do. The fewer, the more can be checked.
+struct Limits {
+  bool non_finite = false;
+  bool detaching = false;
+  bool continuous_collision = false;
+  bool contact_callbacks = false;
+  bool managed = true;  ///< else every body is Bullet's
+};
+
+Operation read_operation(Bytes& bytes, const Limits& limits);
+std::string text(const Operation& operation);
+
+}  // namespace polhode::fuzz

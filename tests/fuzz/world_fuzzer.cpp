@@ -1,0 +1,137 @@
+// Runs a sequence of what an application may do on worlds that the library rotates in both of its ways, and
+// checks after each step what the library promises.
+//
+// The first byte of an input chooses what may be done: the less, the more is checked. POLHODE_FUZZ_TRACE=1 in
+// the environment prints the operations of an input.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include "fuzz/bytes.h"
+#include "fuzz/world/operation.h"
+#include "fuzz/world/side.h"
+#include "support/same_bits.h"
+
+namespace polhode::fuzz {
+namespace {
+
+constexpr std::size_t kMostOperations = 120;
+constexpr std::size_t kMostWithinStep = 6;
+
+Limits read_limits(Bytes& bytes) {
+  const std::uint8_t byte = bytes.byte();
+  Limits limits;
+  limits.non_finite = (byte & 1U) != 0;
+  limits.detaching = (byte & 2U) != 0;
+  limits.continuous_collision = (byte & 4U) != 0;
+  limits.contact_callbacks = (byte & 8U) != 0;
+  limits.managed = (byte & 48U) != 48U;
+  return limits;
+}
+
+bool same(btScalar a, btScalar b) {
+  return testing::same_bits(static_cast<double>(a), static_cast<double>(b));
+}
+
+bool same(const btVector3& a, const btVector3& b) {
+  return same(a.x(), b.x()) && same(a.y(), b.y()) && same(a.z(), b.z());
+}
+
+bool same(const btRigidBody& a, const btRigidBody& b) {
+  const btTransform& pose_a = a.getWorldTransform();
+  const btTransform& pose_b = b.getWorldTransform();
+  for (int row = 0; row < 3; ++row) {
+    if (!same(pose_a.getBasis()[row], pose_b.getBasis()[row])) return false;
+  }
+  return same(pose_a.getOrigin(), pose_b.getOrigin()) && same(a.getLinearVelocity(), b.getLinearVelocity()) &&
+         same(a.getAngularVelocity(), b.getAngularVelocity()) &&
+         a.getActivationState() == b.getActivationState();
+}
+
+void compare(const Side& here, const Side& there, std::size_t world) {
+  for (std::size_t i = 0; i < kSlots; ++i) {
+    const btRigidBody* a = here.slot(i).body();
+    const btRigidBody* b = there.slot(i).body();
+    if (a == nullptr) continue;
+    if (!same(*a, *b))
+      fail("the two ways disagree on the body in slot " + std::to_string(i) + ":\n" + numbers(*a) + "\n" +
+           numbers(*b));
+    if (here.rotation(world) == nullptr || there.rotation(world) == nullptr) continue;
+    if (!here.rotation(world)->manages(*a)) continue;
+    const BodyRotation state_a = here.rotation(world)->rotation_of(*a);
+    const BodyRotation state_b = there.rotation(world)->rotation_of(*b);
+    if (!testing::same_bits(state_a.state, state_b.state) || state_a.steps != state_b.steps ||
+        state_a.unresolved_steps != state_b.unresolved_steps || state_a.diverged != state_b.diverged)
+      fail("the two ways disagree on the rotation of the body in slot " + std::to_string(i));
+  }
+  if (here.rotation(world) == nullptr || there.rotation(world) == nullptr) return;
+  if (here.rotation(world)->incidents() != there.rotation(world)->incidents())
+    fail("the two ways disagree on the number of incidents");
+}
+
+// The bounds of the determinism contract (plugin/README.md): numbers that are not finite are set back to what
+// the library wrote last, which the two ways do at different moments. A RotationWorld cannot be detached.
+bool is_within_contract(const Limits& limits) {
+  return !limits.managed || (!limits.non_finite && !limits.detaching && !limits.continuous_collision &&
+                             !limits.contact_callbacks);
+}
+
+void run(Bytes& bytes) {
+  const Limits limits = read_limits(bytes);
+  const bool is_traced = std::getenv("POLHODE_FUZZ_TRACE") != nullptr;
+  std::vector<std::unique_ptr<Side>> sides;
+  sides.push_back(std::make_unique<Side>(Way::rotation_world, limits));
+  sides.push_back(std::make_unique<Side>(Way::plugin, limits));
+  if (!limits.managed) sides.push_back(std::make_unique<Side>(Way::plain, limits));
+  bool must_agree = is_within_contract(limits);
+  std::vector<Operation> script;
+  bool next_is_within_step = false;
+  Place place = Place::before;
+  for (std::size_t i = 0; i < kMostOperations && !bytes.empty(); ++i) {
+    Operation operation = read_operation(bytes, limits);
+    if (is_traced) std::fprintf(stderr, "%s\n", text(operation).c_str());
+    if (operation.kind == Kind::within_step) {
+      next_is_within_step = true;
+      place = operation.place;
+      continue;
+    }
+    if (operation.kind != Kind::step) {
+      const bool touches_body_alone = operation.kind <= Kind::mass;
+      const bool is_possible =
+          operation.kind <= Kind::erase && place != Place::contact && place != Place::motion_state;
+      if (next_is_within_step && (touches_body_alone || is_possible) && script.size() < kMostWithinStep) {
+        operation.place = place;
+        script.push_back(operation);
+      } else {
+        for (const auto& side : sides) side->apply(operation);
+      }
+      next_is_within_step = false;
+      continue;
+    }
+    for (const auto& side : sides) side->step(operation, script);
+    script.clear();
+    for (const auto& side : sides) {
+      side->check(operation.world);
+      if (limits.managed && side->has_seen_non_finite()) must_agree = false;
+    }
+    // A RotationWorld predicts poses in double, Bullet in its own precision: boxes that touch within rounding
+    // may be paired a step later.
+    for (const auto& side : sides) {
+      if (side->pairs(operation.world) != sides.front()->pairs(operation.world)) must_agree = false;
+    }
+    for (std::size_t other = 1; other < sides.size() && must_agree; ++other)
+      compare(*sides.front(), *sides[other], operation.world);
+  }
+}
+
+}  // namespace
+}  // namespace polhode::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  polhode::fuzz::Bytes bytes(data, size);
+  polhode::fuzz::run(bytes);
+  return 0;
+}
