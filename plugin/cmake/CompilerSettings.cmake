@@ -7,8 +7,8 @@ else()
   target_compile_options(polhode_compiler_settings INTERFACE
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
     -ffp-contract=off $<$<BOOL:${POLHODE_WARNINGS_AS_ERRORS}>:-Werror>)
-  # Hides AVX and FMA from Eigen, which would call fused multiply-adds by itself where the flags allow them. The compiler
-  # uses AVX as before, and the library is told of it.
+  # Hides AVX and FMA from Eigen, which would call fused multiply-adds by itself where the flags allow them. The
+  # compiler uses AVX as before, and the library is told of it.
   include(CheckCXXSymbolExists)
   check_cxx_symbol_exists(__AVX2__ "" POLHODE_FLAGS_ALLOW_AVX2)
   check_cxx_symbol_exists(__AVX512F__ "" POLHODE_FLAGS_ALLOW_AVX512)

@@ -64,7 +64,7 @@ POLHODE_FOR_EACH_INSTRUCTION_SET
 void scale_velocity(const LaneBits& damped, const BulletWide& factor, Batch& batch) noexcept {
   const BulletRows& written_W = batch.written_omega_W;
   const BulletRows damped_W = {written_W.x * factor, written_W.y * factor, written_W.z * factor};
-  const LaneBits lanes = damped & are_surely_finite(damped_W).bits();
+  const LaneBits lanes = damped & are_surely_finite(damped_W).lanes();
   batch.written_omega_W = select(bullet_mask(lanes), damped_W, written_W);
   const WideMask mask = wide_mask(lanes);
   const Wide factor_of_state = Wide::converted(factor);
