@@ -38,7 +38,7 @@ bool is_finite(const btRigidBody& body) {
 btScalar inertia(btScalar x, bool zero_is_allowed) {
   const btScalar size = std::abs(x);
   if (size == 0 && zero_is_allowed) return 0;
-  return std::isfinite(size) && std::isfinite(1 / size) && 1 / size > 0 ? size : btScalar(1);
+  return std::isfinite(size) && std::isnormal(1 / size) ? size : btScalar(1);
 }
 
 btVector3 moments(const btVector3& v) {
