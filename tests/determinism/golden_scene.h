@@ -101,7 +101,8 @@ class GoldenScene {
       const btVector3 inertia_B = random_.vector(0.5, 3);
       const btQuaternion q_WB = random_.rotation();
       const double speed = 0.5 * (1 << i % 7);
-      add(inertia_B, q_WB, vector(5 * (i % 30), 5 * (i / 30), 100), random_.vector(-speed, speed));
+      const int row = i / 30;
+      add(inertia_B, q_WB, vector(5 * (i % 30), 5 * row, 100), random_.vector(-speed, speed));
     }
   }
 
@@ -109,7 +110,9 @@ class GoldenScene {
     scene_.add_floor().setFriction(btScalar(0.5));
     for (int i = 0; i < kBoxes; ++i) {
       const btVector3 half_extents = random_.vector(0.2, 0.5);
-      const btVector3 origin = vector(i % 3 + 0.1 * (i / 9), i / 3 % 3 - 0.1 * (i / 9), 1 + 1.2 * (i / 9));
+      const int layer = i / 9;
+      const int row = i / 3 % 3;
+      const btVector3 origin = vector(i % 3 + 0.1 * layer, row - 0.1 * layer, 1 + 1.2 * layer);
       btRigidBody& box = scene_.add_box(half_extents, btScalar(1.5), btTransform(random_.rotation(), origin));
       box.setGravity(vector(0, 0, -9.81));
       box.setAngularVelocity(random_.vector(-4, 4));
@@ -150,8 +153,10 @@ class GoldenScene {
       const btVector3 inertia_B = random_.vector(1, 3);
       const btQuaternion q_WB = random_.rotation();
       const btVector3 omega_W = random_.vector(-6, 6);
-      btRigidBody& locked = add(inertia_B, q_WB, vector(-80, 10 * i, 50), omega_W * vector(1, i / 2, i % 2));
-      locked.setAngularFactor(vector(1, i / 2, i % 2));
+      const int y_factor = i / 2;
+      const btVector3 factor = vector(1, y_factor, i % 2);
+      btRigidBody& locked = add(inertia_B, q_WB, vector(-80, 10 * i, 50), omega_W * factor);
+      locked.setAngularFactor(factor);
       btRigidBody& damped = add(inertia_B, q_WB, vector(-100, 10 * i, 50), omega_W);
       damped.setDamping(btScalar(0.1), btScalar(0.05) * static_cast<btScalar>(i));
     }

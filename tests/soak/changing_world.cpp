@@ -72,7 +72,9 @@ class ChangingWorld {
 
   static bool is_piled(std::size_t i) { return i >= kBodies - kPiled; }
   static btVector3 origin_of(std::size_t i, double height) {
-    return vector(10.0 * static_cast<double>(i % 40), 10.0 * static_cast<double>(i / 40), height);
+    const std::size_t column = i % 40;
+    const std::size_t row = i / 40;
+    return vector(10.0 * static_cast<double>(column), 10.0 * static_cast<double>(row), height);
   }
 
   void put_body_in(std::size_t i) {

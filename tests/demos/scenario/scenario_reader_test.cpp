@@ -121,8 +121,9 @@ TEST(ScenarioReader, FindsTheSameOrientationAgain) {
   EXPECT_EQ(scenario_json(parse_scenario(written, "b.json")).dump(), written);
   for (int i = 1; i < 1000; ++i) {
     const std::string number = std::to_string(i);
-    const std::string keys =
-        R"(, "orientation": [3, )" + number + R"(, 2, 7], "ground": {"normal": [5, )" + number + ", 1]}";
+    std::string keys = R"(, "orientation": [3, )" + number;
+    keys += R"(, 2, 7], "ground": {"normal": [5, )" + number;
+    keys += ", 1]}";
     const std::string once = scenario_json(parse_scenario(body_with(keys), "a.json")).dump();
     EXPECT_EQ(scenario_json(parse_scenario(once, "b.json")).dump(), once) << i;
   }
