@@ -19,7 +19,8 @@ struct GoldenHashes {
 
 inline constexpr GoldenHashes kGolden = kDoubleBullet ? GoldenHashes{0xedc9c0253e3f2eff, 0xbaf1c5a6fc531207}
                                                       : GoldenHashes{0x4f5e1bd6a8993f48, 0xc54d687581481f72};
-/// Of the scene without the library: another Bullet, or another C library below it, gives another hash.
+/// The hash of the scene without the library: another Bullet, or another C library below it, gives
+/// another hash.
 inline constexpr std::uint64_t kGoldenOfPlainBullet = kDoubleBullet ? 0x755ca5f801294089 : 0xc816e6281f1441be;
 
 template <class World>

@@ -15,7 +15,7 @@ namespace polhode::fuzz {
 constexpr std::size_t kSlots = 12;  ///< bodies that a world may have
 constexpr std::size_t kJoints = 6;
 
-/// What an application does to a world, its bodies or the library.
+/// One thing that an application does to a world, its bodies or the library.
 enum class Kind : std::uint8_t {
   // Within a step as well as between two steps, and to a body that is in contact:
   velocity,

@@ -26,12 +26,15 @@ void read_solved(const BodyPointers& bodies, PoseIntegratedBy integrator, btScal
   solved.linear_velocity = gather(bodies, linear_velocity);
   solved.origin = gather(bodies, origin);
   const auto& v = solved.linear_velocity;
-  if (!by_bullet) {
+  if (by_bullet) {
+    solved.turned = batch.constrained;
+  } else {
     solved.origin = {solved.origin.x + v.x * dt, solved.origin.y + v.y * dt, solved.origin.z + v.z * dt};
+    BulletDifferences turns;
+    add_differences(gather_basis(bodies, basis), to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix())),
+                    turns);
+    solved.turned = ~turns.are_none().lanes();
   }
-  BulletDifferences turns;
-  add_differences(gather_basis(bodies, basis), to_bullet(Matrix3Wide(batch.q_WB.toRotationMatrix())), turns);
-  solved.turned = by_bullet ? batch.constrained : ~turns.are_none().lanes();
   BulletDifferences differences;
   add_differences(solved.omega_W, batch.written_omega_W, differences);
   solved.acted = ~differences.are_none().lanes();

@@ -37,7 +37,7 @@ void sanitize_left_to_bullet(Batch& batch, const LaneBits& lanes) noexcept;
 ///                                   else: omega, with the plain inertia
 ///   held about an axis              the same, without what the axis forbids (locked_axes.h)
 ///
-/// What changed a constrained body since predict is adopted here; a free one's change of velocity counts as
+/// Adopts what changed a constrained body since predict; a change of a free one's velocity counts as
 /// one by the solver.
 void before_solve(Batch& batch, const StepContext& context) noexcept;
 
