@@ -1,7 +1,7 @@
 # Joins the page of `polhode_compare --report` into one file: wherever page/report.html refers to a style sheet, a script or
 # a licence of its own, the file itself is put there, byte for byte. What is left open is the marker @REPORT_DATA@.
 # Needs -Dpage=<folder of report.html> -Doutput=<file>.
-cmake_minimum_required(VERSION 3.20)
+cmake_minimum_required(VERSION 3.18)
 
 foreach(variable page output)
   if(NOT DEFINED ${variable})
