@@ -6,12 +6,16 @@
 #include <system_error>
 #include <vector>
 
+#include "scenario/printable_text.h"
+
 namespace polhode::demos {
 
 namespace {
 
 // A scenario has some dozen lines; this is for a file given by mistake.
 constexpr std::uintmax_t kLargestFile = 1 << 20;
+
+constexpr std::size_t kLongestQuote = 100;  // bytes of a key, in a message
 
 // Follows the parser through the keys: the last one read says where a number overflowed.
 class KeyWatch {
@@ -32,7 +36,8 @@ class KeyWatch {
   void note_key(const std::string& key) {
     last_key_ = key;
     if (!keys_.back().insert(key).second) {
-      throw ScenarioError(file_name_ + ": \"" + key + "\": the key is there twice, it may be given once");
+      throw ScenarioError(file_name_ + ": \"" + shortened(key, kLongestQuote) +
+                          "\": the key is there twice, it may be given once");
     }
   }
 
@@ -41,10 +46,11 @@ class KeyWatch {
   std::string last_key_;
 };
 
-// "[json.exception.parse_error.101] parse error at ..." without the bracket.
-std::string without_prefix(const std::string& message) {
+// "[json.exception.parse_error.101] parse error at ..." without the bracket, and with little of a long token.
+std::string reason(const nlohmann::json::exception& error) {
+  const std::string message = error.what();
   const std::size_t end = message.find("] ");
-  return end == std::string::npos ? message : message.substr(end + 2);
+  return shortened(end == std::string::npos ? message : message.substr(end + 2), 3 * kLongestQuote);
 }
 
 }  // namespace
@@ -75,10 +81,10 @@ nlohmann::json parse_json(const std::string& text, const std::string& file_name)
     return nlohmann::json::parse(text, [&watch](int /*depth*/, nlohmann::json::parse_event_t event,
                                                 nlohmann::json& parsed) { return watch(event, parsed); });
   } catch (const nlohmann::json::out_of_range& error) {
-    throw ScenarioError(file_name + ": \"" + watch.last_key() + "\": " + without_prefix(error.what()) +
-                        "; valid is a finite number");
+    throw ScenarioError(file_name + ": \"" + shortened(watch.last_key(), kLongestQuote) +
+                        "\": " + reason(error) + "; valid is a finite number");
   } catch (const nlohmann::json::exception& error) {
-    throw ScenarioError(file_name + ": " + without_prefix(error.what()) + "; valid is a JSON object");
+    throw ScenarioError(file_name + ": " + reason(error) + "; valid is a JSON object");
   }
 }
 

@@ -70,7 +70,7 @@ struct PointToPoint {
 };
 
 struct Scenario {
-  std::string name;
+  std::string name;  ///< one printable line, as the description
   std::string description;
   Body body;  ///< the one that is recorded
   std::vector<Body> others;

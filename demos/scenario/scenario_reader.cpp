@@ -5,6 +5,7 @@
 #include "polhode/rotation_limits.h"
 #include "scenario/checked_object.h"
 #include "scenario/number_text.h"
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
@@ -134,7 +135,7 @@ Scenario parse_scenario(const std::string& text, const std::string& file_name) {
   CheckedObject object(json, file_name);
   const Vector3 zero = Vector3::Zero();
   Scenario scenario;
-  scenario.name = object.text("name", std::filesystem::path(file_name).stem().string());
+  scenario.name = object.text("name", printable(std::filesystem::path(file_name).stem().string()));
   scenario.description = object.text("description", "");
   scenario.body = read_body(object);
   for (const CheckedObject& other : object.objects("others")) scenario.others.push_back(read_other(other));

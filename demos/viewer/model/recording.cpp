@@ -29,7 +29,7 @@ std::string header_line(const Simulation& simulation) {
     header["contenders"].push_back(simulation.run(index).contender().name);
   }
   header["scenario"] = scenario_json(simulation.scenario());
-  return header.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return header.dump() + "\n";
 }
 
 std::string hexadecimal(std::uint64_t number) {

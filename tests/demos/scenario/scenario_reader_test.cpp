@@ -273,6 +273,37 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{body_with(R"(, "damping": {"linear": 0, "linear": 0})"),
                 "\"linear\": the key is there twice, it may be given once"}));
 
+const std::string kOneLine = "must be one line without control characters or directional formatting, has \"";
+
+INSTANTIATE_TEST_SUITE_P(
+    UnprintableText, BadScenario,
+    testing::Values(BadText{body_with(R"(, "name": "a\u001b[2J")"),
+                            "\"name\": " + kOneLine + "\\x1b\" in it"},
+                    BadText{body_with(R"(, "name": "\u0000")"), "\"name\": " + kOneLine + "\\x00\" in it"},
+                    BadText{body_with(R"(, "description": "two\nlines")"),
+                            "\"description\": " + kOneLine + "\\x0a\" in it"},
+                    BadText{body_with(R"(, "description": "\u009b2J")"),
+                            "\"description\": " + kOneLine + "\\xc2\\x9b\" in it"},
+                    BadText{body_with(R"(, "description": "\u202etop")"),
+                            "\"description\": " + kOneLine + "\\xe2\\x80\\xae\" in it"},
+                    BadText{body_with(", \"description\": \"" + std::string(1025, 'd') + "\""),
+                            "\"description\": must be a text of at most 1024 bytes, has 1025"},
+                    BadText{body_with(", \"" + std::string(1000, 'k') + "\": 1"),
+                            "\"" + std::string(50, 'k') + " ... " + std::string(50, 'k') +
+                                "\": unknown key; valid are " + kTopKeys}));
+
+TEST(ScenarioReader, TakesTextsOfAnyScriptUpToTheirLimit) {
+  const std::string text = "Trägheit \u65e5\u672c \u05e9 </script> =1+1, \\\"" + std::string(980, 'd');
+  const Scenario scenario =
+      parse_scenario(body_with(", \"name\": \"" + text + "\", \"description\": \"" + text + "\""), "a.json");
+  EXPECT_EQ(scenario.name, scenario.description);
+  EXPECT_THAT(scenario.name, testing::StartsWith("Trägheit \u65e5\u672c \u05e9 </script> =1+1, \"ddd"));
+}
+
+TEST(ScenarioReader, NamesAScenarioLikeItsFileWithWhatIsNotPrintableEscaped) {
+  EXPECT_EQ(parse_scenario(body_with(""), "dir/a\x1b\xff.json").name, "a\\x1b\\xff");
+}
+
 TEST(ScenarioReader, NamesAFileThatIsNotThere) {
   const TemporaryDirectory directory;
   const std::string file = (directory / "none.json").string();
