@@ -33,7 +33,8 @@ int run_program(const std::string& program, const std::function<void()>& work,
     return kSignalBase + interrupted.signal();
   } catch (const std::exception& error) {
     if (!is_quiet()) print_error(program, error.what());
-    return kBadInput;
+    // A signal may have been what ended the reading of a pipe.
+    return interrupting_signal() != 0 ? kSignalBase + interrupting_signal() : kBadInput;
   }
 }
 

@@ -268,6 +268,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "read: '\"mass\": N'; valid is a JSON object"},
         BadText{body_with(R"(, "mass": 1e999)"),
                 "\"mass\": number overflow parsing '1e999'; valid is a finite number"},
+        BadText{body_with(", \"name\": \"a\xff\""),
+                "parse error at line 1, column 61: syntax error while parsing value - invalid string: "
+                "ill-formed UTF-8 byte; last read: '\"a\xff'; valid is a JSON object"},
+        BadText{body_with("") + std::string("\0, 1", 4),
+                "its byte 50 is a zero byte; valid is a JSON object"},
+        BadText{std::string(17, '['),
+                "lists and objects are nested deeper than 16 levels; valid is up to that"},
+        BadText{body_with(", \"mass\": " + std::string(400000, '[') + std::string(400000, ']')),
+                "lists and objects are nested deeper than 16 levels; valid is up to that"},
         BadText{body_with(R"(, "mass": 1, "mass": 2)"),
                 "\"mass\": the key is there twice, it may be given once"},
         BadText{body_with(R"(, "damping": {"linear": 0, "linear": 0})"),
@@ -311,19 +320,47 @@ TEST(ScenarioReader, NamesAFileThatIsNotThere) {
               testing::ThrowsMessage<ScenarioError>(testing::StartsWith(file + ": no such file")));
 }
 
-TEST(ScenarioReader, RefusesWhatIsNoRegularFile) {
+TEST(ScenarioReader, SaysWhatAFileMayBe) {
   const TemporaryDirectory directory;
+  const std::string valid =
+      "; a scenario is a JSON file of at most 1048576 bytes, see --list for those at hand";
   EXPECT_THAT([&] { read_scenario(directory.path()); },
-              testing::ThrowsMessage<ScenarioError>(testing::HasSubstr(": not a regular file")));
-  EXPECT_THAT([] { read_scenario("/dev/zero"); },
-              testing::ThrowsMessage<ScenarioError>(testing::HasSubstr(": not a regular file")));
+              testing::ThrowsMessage<ScenarioError>(directory.path().string() +
+                                                    ": neither a regular file nor a pipe" + valid));
+  write_file(directory / "large.json", std::string((1 << 20) + 1, ' '));
+  EXPECT_THAT(
+      [&] { read_scenario(directory / "large.json"); },
+      testing::ThrowsMessage<ScenarioError>(testing::HasSubstr(": has more than 1048576 bytes" + valid)));
+  write_file(directory / "full.json", body_with("") + std::string((1 << 20) - body_with("").size(), ' '));
+  EXPECT_EQ(read_scenario(directory / "full.json").name, "full");
 }
 
-TEST(ScenarioReader, RefusesAFileFarTooLarge) {
-  const TemporaryDirectory directory;
-  write_file(directory / "large.json", std::string(2 << 20, ' '));
-  EXPECT_THAT([&] { read_scenario(directory / "large.json"); },
-              testing::ThrowsMessage<ScenarioError>(testing::HasSubstr("at most 1048576 bytes")));
+TEST(ScenarioReader, PassesOverAByteOrderMark) {
+  EXPECT_EQ(parse_scenario("\xef\xbb\xbf" + body_with(""), "a.json").dt, 0.5);
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string list;
+  for (int i = 0; i < count; ++i) list += (i == 0 ? "" : ", ") + text;
+  return list;
+}
+
+std::string boxes(int count) {
+  return R"({"type": "compound", "parts": [)" + repeated(R"({"half_extents": [1, 1, 1], "mass": 1})", count) +
+         "]}";
+}
+
+std::string others(const std::string& shape, int count) {
+  return R"(, "others": [)" + repeated("{\"shape\": " + shape + "}", count) + "]";
+}
+
+TEST(ScenarioReader, TakesTwoHundredShapesInAll) {
+  const std::string sphere = R"({"type": "sphere", "radius": 1})";
+  EXPECT_EQ(message_of(body_with(others(sphere, 199))), "no error");
+  const std::string valid = " shapes in all, each part of a compound counted; valid is at most 200";
+  EXPECT_EQ(message_of(body_with(others(sphere, 200))), "bad.json: \"others\": makes it 201" + valid);
+  EXPECT_EQ(message_of(body_with(others(boxes(50), 4))), "bad.json: \"others\": makes it 201" + valid);
+  EXPECT_EQ(message_of(body_with(", \"shape\": " + boxes(201))), "bad.json: \"shape\": makes it 201" + valid);
 }
 
 }  // namespace
