@@ -19,6 +19,10 @@ void watch_for_interruption() {
   std::signal(SIGTERM, note_signal);
 }
 
+int interrupting_signal() {
+  return noted_signal;
+}
+
 void throw_if_interrupted() {
   if (noted_signal != 0) throw Interrupted(noted_signal);
 }

@@ -19,6 +19,9 @@ class Interrupted : public std::runtime_error {
 /// Notes such a signal from now on.
 void watch_for_interruption();
 
+/// Returns that signal, 0 if there was none.
+int interrupting_signal();
+
 /// @throws Interrupted if one was noted.
 void throw_if_interrupted();
 

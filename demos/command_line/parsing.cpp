@@ -1,12 +1,14 @@
 #include "command_line/parsing.h"
 
 #include <cmath>
-#include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
+#include "command_line/program.h"
 #include "record/output_file.h"
 #include "scenario/number_text.h"
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
@@ -39,8 +41,26 @@ std::string valid_words(const CLI::App& app) {
   throw std::invalid_argument(option + ": must be " + valid + ", is \"" + text + "\"");
 }
 
-// In quotes where a shell would take the word apart.
+// As bash, zsh and POSIX's shell of 2024 read it, byte by byte.
+std::string escaped_shell_word(const std::string& word) {
+  std::string quoted = "$'";
+  for (const char c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\'' || c == '\\') {
+      quoted += {'\\', c};
+    } else if (byte >= ' ' && byte <= '~') {
+      quoted += c;
+    } else {
+      quoted += '\\';
+      for (const int place : {64, 8, 1}) quoted += static_cast<char>('0' + byte / place % 8);
+    }
+  }
+  return quoted + "'";
+}
+
+// In quotes where a shell would take the word apart, or a page would not show what is in it.
 std::string shell_word(const std::string& word) {
+  if (!first_unprintable(word).empty()) return escaped_shell_word(word);
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -55,7 +75,9 @@ bool parse(CLI::App& app, int argument_count, char** arguments) {
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::Success& asked_for_help) {
-    app.exit(asked_for_help, std::cout, std::cerr);
+    std::ostringstream text;
+    app.exit(asked_for_help, text, text);
+    print(text.str());
     return false;
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + "; " + valid_words(app));

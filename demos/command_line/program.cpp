@@ -1,11 +1,11 @@
 #include "command_line/program.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
 #include "command_line/interruption.h"
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
@@ -14,12 +14,11 @@ namespace {
 constexpr int kBadInput = 2;
 constexpr int kSignalBase = 128;  // as shells report it
 
-void print_error(const std::string& program, std::string message) {
-  // One line, whatever characters the command line or a file brought in.
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < ' '; }, ' ');
+void print_error(const std::string& program, const std::string& message) {
+  constexpr std::size_t kLongest = 8192;  // room for a list of what is valid, and a file's whole path
+  const std::string line = std::filesystem::path(program).filename().string() + ": " + message;
   // In one piece, since other processes may print to the same place.
-  std::cerr << std::filesystem::path(program).filename().string() + ": " + message + "\n" << std::flush;
+  std::cerr << printable(shortened(line, kLongest)) + "\n" << std::flush;
 }
 
 }  // namespace
@@ -34,12 +33,14 @@ int run_program(const std::string& program, const std::function<void()>& work,
     return kSignalBase + interrupted.signal();
   } catch (const std::exception& error) {
     if (!is_quiet()) print_error(program, error.what());
-    return kBadInput;
+    // A signal may have been what ended the reading of a pipe.
+    return interrupting_signal() != 0 ? kSignalBase + interrupting_signal() : kBadInput;
   }
 }
 
 void print(const std::string& text) {
-  if (!(std::cout << text << std::flush)) throw std::runtime_error("standard output cannot be written");
+  if (!(std::cout << printable_lines(text) << std::flush))
+    throw std::runtime_error("standard output cannot be written");
 }
 
 }  // namespace polhode::demos

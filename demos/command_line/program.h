@@ -11,7 +11,7 @@ int run_program(
     const std::string& program, const std::function<void()>& work,
     const std::function<bool()>& is_quiet = [] { return false; });
 
-/// Prints to stdout.
+/// Prints lines to stdout, what is not printable in them escaped.
 /// @throws std::runtime_error if that cannot be written.
 void print(const std::string& text);
 

@@ -8,6 +8,7 @@
 #include "record/table.h"
 #include "report/report.h"
 #include "scenario/named_error.h"
+#include "scenario/printable_text.h"
 #include "scenario/scenario_directory.h"
 #include "world/body_shape.h"
 #include "world/run.h"
@@ -84,7 +85,7 @@ Comparison compare(const Options& options) {
 std::string list_text() {
   std::vector<std::vector<std::string>> rows;
   for (const std::string& name : scenario_names()) {
-    rows.push_back({name, find_scenario(name).description});
+    rows.push_back({printable(name), find_scenario(name).description});
   }
   std::string text = "scenarios:\n" + aligned_columns(rows, Align::left);
   rows.clear();

@@ -32,8 +32,7 @@ std::string comparison_json(const Comparison& comparison) {
     Json& entry = json["contenders"].emplace_back(Json{{"name", contender.contender}});
     entry.update(figures_json(contender.figures));
   }
-  // A name in a file may hold any bytes; text that is not UTF-8 must not cost the run.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2) + "\n";
 }
 
 }  // namespace polhode::demos

@@ -93,7 +93,7 @@ std::string report_json(const Report& report) {
                                   {"figures", figures_json(comparison.contenders[i].figures)},
                                   {"series", series_json(report.series[i])}});
   }
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json.dump();
 }
 
 std::string report_html(const Report& report) {

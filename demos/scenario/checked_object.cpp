@@ -5,10 +5,13 @@
 #include <utility>
 
 #include "scenario/json_file.h"
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
 namespace {
+
+constexpr std::size_t kLongestKey = 100;  // in a message
 
 // The value as it stands in the file, short enough for a message.
 std::string excerpt(const nlohmann::json& value) {
@@ -47,7 +50,17 @@ std::string CheckedObject::text(const std::string& key, const std::optional<std:
   if (fallback && !has(key)) return *fallback;
   const nlohmann::json& value = required(key, "a text");
   if (!value.is_string()) fail(key, "must be a text, is " + excerpt(value));
-  return value.get<std::string>();
+  const std::string text = value.get<std::string>();
+  if (text.size() > kLongestText) {
+    fail(key, "must be a text of at most " + std::to_string(kLongestText) + " bytes, has " +
+                  std::to_string(text.size()));
+  }
+  const std::string_view unprintable = first_unprintable(text);
+  if (!unprintable.empty()) {
+    fail(key, "must be one line without control characters or directional formatting, has \"" +
+                  printable(unprintable) + "\" in it");
+  }
+  return text;
 }
 
 double CheckedObject::number(const std::string& key, const Range& range, std::optional<double> fallback) {
@@ -117,7 +130,7 @@ void CheckedObject::refuse_unknown_keys() const {
 }
 
 void CheckedObject::fail(const std::string& key, const std::string& what) const {
-  throw ScenarioError(file_name_ + ": \"" + path_of(key) + "\": " + what);
+  throw ScenarioError(file_name_ + ": \"" + shortened(path_of(key), kLongestKey) + "\": " + what);
 }
 
 std::string CheckedObject::path_of(const std::string& key) const {

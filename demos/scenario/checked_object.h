@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
@@ -16,11 +17,15 @@ namespace polhode::demos {
 /// without a fallback is required.
 class CheckedObject {
  public:
+  /// Long enough for the name of any file, even with all of its bytes escaped.
+  static constexpr std::size_t kLongestText = 1024;
+
   /// `where` is the object's own key, empty for the whole file.
   CheckedObject(const nlohmann::json& value, std::string file_name, std::string where = "");
 
   /// Returns true if the key is there, and makes `key` a valid one.
   bool has(const std::string& key);
+  /// One printable line of at most kLongestText bytes.
   std::string text(const std::string& key, const std::optional<std::string>& fallback = std::nullopt);
   double number(const std::string& key, const Range& range, std::optional<double> fallback = std::nullopt);
   int whole_number(const std::string& key, const Range& range, int fallback);

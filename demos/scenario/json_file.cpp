@@ -1,25 +1,27 @@
 #include "scenario/json_file.h"
 
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <system_error>
 #include <vector>
+
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
 namespace {
 
-// A scenario has some dozen lines; this is for a file given by mistake.
-constexpr std::uintmax_t kLargestFile = 1 << 20;
+constexpr std::size_t kLongestQuote = 100;  // bytes of a key, in a message
 
 // Follows the parser through the keys: the last one read says where a number overflowed.
 class KeyWatch {
  public:
   explicit KeyWatch(const std::string& file_name) : file_name_(file_name) {}
 
-  bool operator()(nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+  bool operator()(int levels_around, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
     using Event = nlohmann::json::parse_event_t;
+    if (levels_around >= kDeepestJson && (event == Event::object_start || event == Event::array_start)) {
+      throw ScenarioError(file_name_ + ": lists and objects are nested deeper than " +
+                          std::to_string(kDeepestJson) + " levels; valid is up to that");
+    }
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key) note_key(parsed.get<std::string>());
@@ -32,7 +34,8 @@ class KeyWatch {
   void note_key(const std::string& key) {
     last_key_ = key;
     if (!keys_.back().insert(key).second) {
-      throw ScenarioError(file_name_ + ": \"" + key + "\": the key is there twice, it may be given once");
+      throw ScenarioError(file_name_ + ": \"" + shortened(key, kLongestQuote) +
+                          "\": the key is there twice, it may be given once");
     }
   }
 
@@ -41,44 +44,33 @@ class KeyWatch {
   std::string last_key_;
 };
 
-// "[json.exception.parse_error.101] parse error at ..." without the bracket.
-std::string without_prefix(const std::string& message) {
+// "[json.exception.parse_error.101] parse error at ..." without the bracket, and with little of a long token.
+std::string reason(const nlohmann::json::exception& error) {
+  const std::string message = error.what();
   const std::size_t end = message.find("] ");
-  return end == std::string::npos ? message : message.substr(end + 2);
+  return shortened(end == std::string::npos ? message : message.substr(end + 2), 3 * kLongestQuote);
 }
 
 }  // namespace
 
-std::string read_text_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) {
-    throw ScenarioError(file.string() +
-                        ": no such file; a scenario is a JSON file, see --list for those at hand");
-  }
-  if (!std::filesystem::is_regular_file(status)) {
-    throw ScenarioError(file.string() + ": not a regular file; a scenario is a JSON file");
-  }
-  if (std::filesystem::file_size(file, error) > kLargestFile) {
-    throw ScenarioError(file.string() + ": a scenario has at most " + std::to_string(kLargestFile) +
-                        " bytes");
-  }
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream) throw ScenarioError(file.string() + ": cannot be read; a scenario is a readable JSON file");
-  return text;
-}
-
 nlohmann::json parse_json(const std::string& text, const std::string& file_name) {
+  // The library would take a zero byte for the end of the text, and leave the rest unread.
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string::npos) {
+    throw ScenarioError(file_name + ": its byte " + std::to_string(zero + 1) +
+                        " is a zero byte; valid is a JSON object");
+  }
   KeyWatch watch(file_name);
   try {
-    return nlohmann::json::parse(text, [&watch](int /*depth*/, nlohmann::json::parse_event_t event,
-                                                nlohmann::json& parsed) { return watch(event, parsed); });
+    return nlohmann::json::parse(
+        text, [&watch](int levels_around, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+          return watch(levels_around, event, parsed);
+        });
   } catch (const nlohmann::json::out_of_range& error) {
-    throw ScenarioError(file_name + ": \"" + watch.last_key() + "\": " + without_prefix(error.what()) +
-                        "; valid is a finite number");
+    throw ScenarioError(file_name + ": \"" + shortened(watch.last_key(), kLongestQuote) +
+                        "\": " + reason(error) + "; valid is a finite number");
   } catch (const nlohmann::json::exception& error) {
-    throw ScenarioError(file_name + ": " + without_prefix(error.what()) + "; valid is a JSON object");
+    throw ScenarioError(file_name + ": " + reason(error) + "; valid is a JSON object");
   }
 }
 

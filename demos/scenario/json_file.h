@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -13,12 +12,13 @@ class ScenarioError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The content of a regular file.
-/// @throws ScenarioError if it cannot be read.
-std::string read_text_file(const std::filesystem::path& file);
+/// Twice as deep as any file goes. The JSON library copies and prints values recursively: a million levels would
+/// overflow the stack.
+inline constexpr int kDeepestJson = 16;
 
 /// The JSON value in `text`; `file_name` is for messages.
-/// @throws ScenarioError on a syntax error, a number that overflows, or a key that an object has twice.
+/// @throws ScenarioError on a syntax error, a number that overflows, a key that an object has twice, or lists and
+/// objects nested deeper than kDeepestJson.
 nlohmann::json parse_json(const std::string& text, const std::string& file_name);
 
 }  // namespace polhode::demos

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -70,7 +71,7 @@ struct PointToPoint {
 };
 
 struct Scenario {
-  std::string name;
+  std::string name;  ///< one printable line, as the description
   std::string description;
   Body body;  ///< the one that is recorded
   std::vector<Body> others;
@@ -86,6 +87,10 @@ struct Scenario {
   /// exerts none.
   bool is_torque_free() const;
 };
+
+/// Limits the spheres, boxes and parts of compounds in a world: where all of them overlap, Bullet keeps contacts
+/// for every pair.
+inline constexpr std::size_t kMostShapes = 200;
 
 /// Principal moments, kg m^2.
 inline constexpr Range kInertiaRange{1e-12, 1e9};

@@ -4,7 +4,9 @@
 
 #include "polhode/rotation_limits.h"
 #include "scenario/checked_object.h"
+#include "scenario/input_file.h"
 #include "scenario/number_text.h"
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
@@ -17,6 +19,9 @@ constexpr Range kPlace{-1e6, 1e6};
 constexpr Range kFraction{0.0, 1.0};
 constexpr Range kFriction{0.0, 1e3};
 constexpr Range kAngularSpeed{-kMaximumAngularSpeed, kMaximumAngularSpeed};
+
+// A scenario has some dozen lines; this is for a file given by mistake.
+constexpr std::size_t kLargestFile = 1 << 20;
 
 BoxPart read_part(CheckedObject part) {
   const BoxPart result{part.vector("half_extents", kLength),
@@ -117,6 +122,21 @@ Body read_other(CheckedObject object) {
   return body;
 }
 
+std::size_t shape_count(const Body& body) {
+  const auto* compound = std::get_if<Compound>(&body.shape);
+  return compound == nullptr ? 1 : compound->parts.size();
+}
+
+void check_shape_count(const CheckedObject& object, const Scenario& scenario) {
+  std::size_t count = shape_count(scenario.body);
+  for (const Body& other : scenario.others) count += shape_count(other);
+  if (count <= kMostShapes) return;
+  object.fail(scenario.others.empty() ? "shape" : "others",
+              "makes it " + std::to_string(count) +
+                  " shapes in all, each part of a compound counted; valid is at most " +
+                  std::to_string(kMostShapes));
+}
+
 void read_times(CheckedObject& object, Scenario& scenario) {
   scenario.dt = object.number("dt", kDtRange);
   scenario.duration = object.number("duration", kDurationRange);
@@ -134,10 +154,11 @@ Scenario parse_scenario(const std::string& text, const std::string& file_name) {
   CheckedObject object(json, file_name);
   const Vector3 zero = Vector3::Zero();
   Scenario scenario;
-  scenario.name = object.text("name", std::filesystem::path(file_name).stem().string());
+  scenario.name = object.text("name", printable(std::filesystem::path(file_name).stem().string()));
   scenario.description = object.text("description", "");
   scenario.body = read_body(object);
   for (const CheckedObject& other : object.objects("others")) scenario.others.push_back(read_other(other));
+  check_shape_count(object, scenario);
   scenario.gravity_W = object.vector("gravity", kAnySign, zero);
   scenario.torque_W = object.vector("torque", kAnySign, zero);
   if (object.has("constraint")) scenario.constraint = read_constraint(object.object("constraint"));
@@ -150,7 +171,12 @@ Scenario parse_scenario(const std::string& text, const std::string& file_name) {
 }
 
 Scenario read_scenario(const std::filesystem::path& file) {
-  return parse_scenario(read_text_file(file), file.string());
+  try {
+    return parse_scenario(read_text_file(file, kLargestFile), file.string());
+  } catch (const InputFileError& error) {
+    throw ScenarioError(file.string() + ": " + error.what() + "; a scenario is a JSON file of at most " +
+                        std::to_string(kLargestFile) + " bytes, see --list for those at hand");
+  }
 }
 
 }  // namespace polhode::demos

@@ -6,19 +6,25 @@
 
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
+#include "scenario/input_file.h"
 #include "scenario/json_file.h"
 #include "scenario/number_text.h"
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestHeader = 1 << 16;  // the description of a map has some hundred bytes
+constexpr std::size_t kLongestLine = 128;        // two whole numbers and three figures
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
   throw std::runtime_error("\"" + file.string() + "\": " + what);
@@ -38,14 +44,14 @@ bool read_number(const char*& at, const char* end, Number& number, char after) {
   return true;
 }
 
-// The cell that a line holds, its newline included; nothing if it is torn.
+// The cell that a line holds, its newline included; nothing if it is torn, or of no run.
 std::optional<CellResult> cell_in(const std::string& line, const CellMap& map) {
   CellResult result{};
   const char* at = line.data();
   const char* end = at + line.size();
   bool whole = read_number(at, end, result.index, ' ');
   for (std::size_t i = 0; i < map.figure_count(); ++i) {
-    whole = whole && read_number(at, end, result.figures[i], ' ');
+    whole = whole && read_number(at, end, result.figures[i], ' ') && std::isfinite(result.figures[i]);
   }
   whole = whole && read_number(at, end, result.diverged_step, '\n');
   if (!whole || result.index < 0 || result.index >= map.cell_count()) return std::nullopt;
@@ -54,16 +60,31 @@ std::optional<CellResult> cell_in(const std::string& line, const CellMap& map) {
 
 // "steps is 1000 there and 500 here"
 std::string difference(const std::string& there, const std::string& here) {
-  const nlohmann::json a = nlohmann::json::parse(there, nullptr, false);
-  const nlohmann::json b = nlohmann::json::parse(here);
+  constexpr std::size_t kLongestValue = 1000;
+  nlohmann::json a;
+  try {
+    a = parse_json(there, "");
+  } catch (const ScenarioError&) {
+    // Left without any key.
+  }
   if (!a.is_object()) return "it is no journal of a map";
   std::string text;
+  const nlohmann::json b = nlohmann::json::parse(here);
   for (const auto& [key, value] : b.items()) {
     const nlohmann::json other = a.value(key, nlohmann::json());
     if (other == value) continue;
-    text += (text.empty() ? "" : "; ") + key + " is " + other.dump() + " there and " + value.dump() + " here";
+    text += (text.empty() ? "" : "; ") + key + " is " + shortened(other.dump(), kLongestValue) +
+            " there and " + value.dump() + " here";
   }
   return text.empty() ? "its first line is not exactly this map's" : text;
+}
+
+std::ifstream opened(const fs::path& file) {
+  try {
+    return open_regular_file(file);
+  } catch (const InputFileError& error) {
+    fail(file, error.what());
+  }
 }
 
 }  // namespace
@@ -84,6 +105,11 @@ MapJournal::~MapJournal() {
 }
 
 void MapJournal::open(bool restart) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    fail(path_, "the journal is not a regular file; valid is another output file, or to remove it");
+  }
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(path_, std::string("cannot be written: ") + std::strerror(errno));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
@@ -94,20 +120,26 @@ void MapJournal::open(bool restart) {
 }
 
 void MapJournal::read(const CellMap& map) {
-  const std::string header = map.description() + "\n";
-  const std::string text = read_text_file(path_);
+  const std::string header = map.description();
+  std::ifstream lines = opened(path_);
+  std::string line;
+  read_line(lines, kLongestHeader, line);
   // Killed before its first line was whole: it holds nothing yet.
-  if (text.size() < header.size() && header.compare(0, text.size(), text) == 0) return start_over(header);
-  if (text.compare(0, header.size(), header) != 0) {
-    fail(path_, "is of another run: " + difference(text.substr(0, text.find('\n')), map.description()) +
-                    "; delete it, or start over with --restart");
+  if (lines.eof() && header.compare(0, line.size(), line) == 0) return start_over(header + "\n");
+  if (line != header) {
+    fail(path_,
+         "is of another run: " + difference(line, header) + "; delete it, or start over with --restart");
   }
-  std::size_t good = header.size();
-  for (std::size_t end = text.find('\n', good); end != std::string::npos; end = text.find('\n', good)) {
-    const std::optional<CellResult> result = cell_in(text.substr(good, end + 1 - good), map);
+  std::size_t good = header.size() + 1;
+  while (read_line(lines, kLongestLine, line) && !lines.eof()) {
+    const std::optional<CellResult> result = cell_in(line + "\n", map);
     if (!result) break;
+    if (static_cast<std::int64_t>(finished_.size()) == map.cell_count()) {
+      fail(path_, "holds more cells than this map has, " + number_text(map.cell_count()) +
+                      "; delete it, or start over with --restart");
+    }
     finished_.push_back(*result);
-    good = end + 1;
+    good += line.size() + 1;
   }
   if (::ftruncate(descriptor_, static_cast<off_t>(good)) != 0) fail(path_, std::strerror(errno));
   ::lseek(descriptor_, 0, SEEK_END);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "scenario/printable_text.h"
 #include "scenario/scenario_directory.h"
 #include "viewer/interface/theme.h"
 #include "viewer/model/csv_export.h"
@@ -46,7 +47,7 @@ void draw_scenarios(Session& session) {
   if (!ImGui::BeginCombo("##scenario", current.c_str())) return;
   attempt(session, [&] {
     for (const std::string& name : scenario_names()) {
-      if (!ImGui::Selectable(name.c_str(), name == current)) continue;
+      if (!ImGui::Selectable(printable(name).c_str(), name == current)) continue;
       session.restart(resolved(find_scenario(name)), session.contenders(), name + " from its start");
     }
   });

@@ -1,13 +1,14 @@
 #include "viewer/model/recording.h"
 
+#include <charconv>
 #include <cinttypes>
 #include <cstdio>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <stdexcept>
 
 #include "record/output_file.h"
 #include "scenario/build_info.h"
+#include "scenario/input_file.h"
 #include "scenario/json_file.h"
 #include "scenario/number_text.h"
 #include "scenario/scenario_reader.h"
@@ -17,6 +18,10 @@
 namespace polhode::demos {
 
 namespace {
+
+/// Room for the largest scenario file with all its defaults spelled out.
+constexpr std::size_t kLongestHeader = 8 << 20;
+constexpr std::size_t kDigestWidth = 17;  // with what separates it from the next
 
 constexpr char kFormat[] = "polhode recording 1";
 
@@ -29,7 +34,7 @@ std::string header_line(const Simulation& simulation) {
     header["contenders"].push_back(simulation.run(index).contender().name);
   }
   header["scenario"] = scenario_json(simulation.scenario());
-  return header.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return header.dump() + "\n";
 }
 
 std::string hexadecimal(std::uint64_t number) {
@@ -40,6 +45,14 @@ std::string hexadecimal(std::uint64_t number) {
 
 [[noreturn]] void refuse(const std::string& file, const std::string& what) {
   throw std::invalid_argument(file + ": " + what + "; valid is a file that polhode_viewer --record wrote");
+}
+
+std::ifstream opened(const std::filesystem::path& file) {
+  try {
+    return open_regular_file(file);
+  } catch (const InputFileError& error) {
+    refuse(file.string(), error.what());
+  }
 }
 
 Recording recording_of(const std::string& line, const std::string& file) {
@@ -57,11 +70,16 @@ Recording recording_of(const std::string& line, const std::string& file) {
   return {resolved(parse_scenario(header["scenario"].dump(), file)), find_contenders(names), {}};
 }
 
+/// Numbers with a blank between them; none if there is something else.
 std::vector<std::uint64_t> digests_of(const std::string& line) {
-  std::istringstream words(line);
   std::vector<std::uint64_t> digests;
-  std::uint64_t digest = 0;
-  while (words >> std::hex >> digest) digests.push_back(digest);
+  const char* at = line.data();
+  const char* end = at + line.size();
+  while (at < end) {
+    const std::from_chars_result result = std::from_chars(at, end, digests.emplace_back(), 16);
+    if (result.ec != std::errc() || (result.ptr < end && *result.ptr != ' ')) return {};
+    at = result.ptr + 1;
+  }
   return digests;
 }
 
@@ -86,14 +104,26 @@ void write_recording(const Simulation& simulation, const std::filesystem::path& 
 
 Recording read_recording(const std::filesystem::path& file) {
   const std::string name = file.string();
-  std::istringstream lines(read_text_file(file));
+  std::ifstream lines = opened(file);
   std::string line;
-  std::getline(lines, line);
+  if (!read_line(lines, kLongestHeader, line) && !line.empty()) {
+    refuse(name, "its first line has more than " + std::to_string(kLongestHeader) + " bytes");
+  }
   Recording recording = recording_of(line, name);
-  while (std::getline(lines, line)) {
-    recording.digests.push_back(digests_of(line));
-    if (recording.digests.back().size() == recording.contenders.size()) continue;
+  const std::size_t contenders = recording.contenders.size();
+  const auto refuse_line = [&] {
     refuse(name, "its line of step " + number_text(recording.steps()) + " is not one number per contender");
+  };
+  while (read_line(lines, kDigestWidth * contenders - 1, line)) {
+    recording.digests.push_back(digests_of(line));
+    if (recording.digests.back().size() != contenders) refuse_line();
+    if (recording.steps() > kMostDigests) {
+      refuse(name, "it has more than " + number_text(kMostDigests) + " steps");
+    }
+  }
+  if (!line.empty()) {  // one that is too long
+    recording.digests.emplace_back();
+    refuse_line();
   }
   if (recording.digests.empty()) refuse(name, "it has no steps");
   return recording;

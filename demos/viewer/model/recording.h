@@ -23,6 +23,7 @@ struct Recording {
 /// @throws std::runtime_error if the file cannot be written, or the run is too long to have been kept.
 void write_recording(const Simulation& simulation, const std::filesystem::path& file);
 
+/// Holds the digests in memory, of the file one line at a time.
 /// @throws std::invalid_argument or ScenarioError, which say what is wrong with the file
 Recording read_recording(const std::filesystem::path& file);
 

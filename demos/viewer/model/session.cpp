@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "scenario/number_text.h"
+#include "scenario/printable_text.h"
 
 namespace polhode::demos {
 
@@ -79,6 +80,11 @@ void Session::restart(const Scenario& scenario, const std::vector<Contender>& co
   } catch (const std::invalid_argument& error) {
     notice_ = std::string("not changed: ") + error.what();
   }
+}
+
+std::string Session::notice() const {
+  constexpr std::size_t kLongest = 1000;  // wider than any window
+  return printable(shortened(notice_, kLongest));
 }
 
 void Session::run_or_pause() {

@@ -50,7 +50,8 @@ class Session {
   bool is_late() const { return is_late_; }
   /// Counts how often the simulation was made anew.
   int generation() const { return generation_; }
-  const std::string& notice() const { return notice_; }
+  /// One printable line.
+  std::string notice() const;
   void set_notice(std::string text) { notice_ = std::move(text); }
 
  private:

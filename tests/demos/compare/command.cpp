@@ -1,6 +1,7 @@
 #include "demos/compare/command.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -15,6 +16,10 @@ void redirect(int descriptor, const std::filesystem::path& file) {
   const int opened = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   ::dup2(opened, descriptor);
   ::close(opened);
+}
+
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 [[noreturn]] void become(std::vector<std::string> words, std::vector<std::string> environment) {
@@ -46,9 +51,11 @@ void Command::send_signal(int signal) const {
 
 CommandResult Command::wait() {
   int status = 0;
-  ::waitpid(process_, &status, 0);
+  rusage usage{};
+  ::wait4(process_, &status, 0, &usage);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(output_ / "out"),
-          read_file(output_ / "err")};
+          read_file(output_ / "err"), seconds(usage.ru_utime) + seconds(usage.ru_stime),
+          static_cast<double>(usage.ru_maxrss) / 1024.0};
 }
 
 }  // namespace polhode::demos

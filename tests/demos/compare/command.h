@@ -11,7 +11,16 @@ struct CommandResult {
   int exit_code;  ///< -1 if a signal ended it
   std::string standard_output;
   std::string standard_error;
+  double processor_seconds;
+  double peak_megabytes;  ///< of resident memory, from the fork on: at least what the test itself has
 };
+
+/// AddressSanitizer keeps freed memory for a while, and some beside each allocation.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr double kMemoryFactor = 10.0;
+#else
+inline constexpr double kMemoryFactor = 1.0;
+#endif
 
 /// A program under way, its output caught.
 class Command {

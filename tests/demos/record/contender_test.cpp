@@ -55,5 +55,13 @@ TEST(Contenders, AreRefusedWithTheValidNamesOrWhenGivenTwice) {
           "contender \"matrix\" is given twice; valid is each once"));
 }
 
+// The CSV files hold numbers and these names. A spreadsheet takes neither for a formula, and no cell needs
+// quotes.
+TEST(Contenders, HaveNamesThatArePlainWords) {
+  for (const Contender& contender : all_contenders()) {
+    EXPECT_THAT(contender.name, testing::MatchesRegex("[a-z][a-z0-9_:]*"));
+  }
+}
+
 }  // namespace
 }  // namespace polhode::demos

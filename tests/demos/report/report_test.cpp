@@ -78,13 +78,17 @@ TEST(Report, SaysWhatWasRunAndWhatCameOut) {
 
 // No text of a scenario or a command may end the element that the data stand in, or start another.
 TEST(Report, LetsNoTextBreakOutOfItsData) {
-  const Report report = report_of(1, 10);
+  Report report = report_of(1, 10);
+  report.comparison.scenario.name = "<img src=x onerror=alert(1)>";
+  report.comparison.scenario.description = "</script><script>alert(1)//<!--";
   const std::string html = report_html(report);
   const std::size_t start = html.find("id=\"report-data\">");
   ASSERT_NE(start, std::string::npos);
   const std::size_t end = html.find("</script>", start);
   const std::string data = html.substr(html.find('>', start) + 1, end - html.find('>', start) - 1);
   EXPECT_EQ(nlohmann::json::parse(data)["command"], report.command);
+  EXPECT_EQ(nlohmann::json::parse(data)["scenario"]["name"], report.comparison.scenario.name);
+  EXPECT_EQ(nlohmann::json::parse(data)["scenario"]["description"], report.comparison.scenario.description);
   EXPECT_THAT(data, Not(HasSubstr("<")));
   EXPECT_THAT(html, Not(HasSubstr("@REPORT_DATA@")));
 }

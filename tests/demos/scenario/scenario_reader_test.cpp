@@ -268,10 +268,50 @@ INSTANTIATE_TEST_SUITE_P(
                 "read: '\"mass\": N'; valid is a JSON object"},
         BadText{body_with(R"(, "mass": 1e999)"),
                 "\"mass\": number overflow parsing '1e999'; valid is a finite number"},
+        BadText{body_with(", \"name\": \"a\xff\""),
+                "parse error at line 1, column 61: syntax error while parsing value - invalid string: "
+                "ill-formed UTF-8 byte; last read: '\"a\xff'; valid is a JSON object"},
+        BadText{body_with("") + std::string("\0, 1", 4),
+                "its byte 50 is a zero byte; valid is a JSON object"},
+        BadText{std::string(17, '['),
+                "lists and objects are nested deeper than 16 levels; valid is up to that"},
+        BadText{body_with(", \"mass\": " + std::string(400000, '[') + std::string(400000, ']')),
+                "lists and objects are nested deeper than 16 levels; valid is up to that"},
         BadText{body_with(R"(, "mass": 1, "mass": 2)"),
                 "\"mass\": the key is there twice, it may be given once"},
         BadText{body_with(R"(, "damping": {"linear": 0, "linear": 0})"),
                 "\"linear\": the key is there twice, it may be given once"}));
+
+const std::string kOneLine = "must be one line without control characters or directional formatting, has \"";
+
+INSTANTIATE_TEST_SUITE_P(
+    UnprintableText, BadScenario,
+    testing::Values(BadText{body_with(R"(, "name": "a\u001b[2J")"),
+                            "\"name\": " + kOneLine + "\\x1b\" in it"},
+                    BadText{body_with(R"(, "name": "\u0000")"), "\"name\": " + kOneLine + "\\x00\" in it"},
+                    BadText{body_with(R"(, "description": "two\nlines")"),
+                            "\"description\": " + kOneLine + "\\x0a\" in it"},
+                    BadText{body_with(R"(, "description": "\u009b2J")"),
+                            "\"description\": " + kOneLine + "\\xc2\\x9b\" in it"},
+                    BadText{body_with(R"(, "description": "\u202etop")"),
+                            "\"description\": " + kOneLine + "\\xe2\\x80\\xae\" in it"},
+                    BadText{body_with(", \"description\": \"" + std::string(1025, 'd') + "\""),
+                            "\"description\": must be a text of at most 1024 bytes, has 1025"},
+                    BadText{body_with(", \"" + std::string(1000, 'k') + "\": 1"),
+                            "\"" + std::string(50, 'k') + " ... " + std::string(50, 'k') +
+                                "\": unknown key; valid are " + kTopKeys}));
+
+TEST(ScenarioReader, TakesTextsOfAnyScriptUpToTheirLimit) {
+  const std::string text = "Trägheit \u65e5\u672c \u05e9 </script> =1+1, \\\"" + std::string(980, 'd');
+  const Scenario scenario =
+      parse_scenario(body_with(", \"name\": \"" + text + "\", \"description\": \"" + text + "\""), "a.json");
+  EXPECT_EQ(scenario.name, scenario.description);
+  EXPECT_THAT(scenario.name, testing::StartsWith("Trägheit \u65e5\u672c \u05e9 </script> =1+1, \"ddd"));
+}
+
+TEST(ScenarioReader, NamesAScenarioLikeItsFileWithWhatIsNotPrintableEscaped) {
+  EXPECT_EQ(parse_scenario(body_with(""), "dir/a\x1b\xff.json").name, "a\\x1b\\xff");
+}
 
 TEST(ScenarioReader, NamesAFileThatIsNotThere) {
   const TemporaryDirectory directory;
@@ -280,19 +320,47 @@ TEST(ScenarioReader, NamesAFileThatIsNotThere) {
               testing::ThrowsMessage<ScenarioError>(testing::StartsWith(file + ": no such file")));
 }
 
-TEST(ScenarioReader, RefusesWhatIsNoRegularFile) {
+TEST(ScenarioReader, SaysWhatAFileMayBe) {
   const TemporaryDirectory directory;
+  const std::string valid =
+      "; a scenario is a JSON file of at most 1048576 bytes, see --list for those at hand";
   EXPECT_THAT([&] { read_scenario(directory.path()); },
-              testing::ThrowsMessage<ScenarioError>(testing::HasSubstr(": not a regular file")));
-  EXPECT_THAT([] { read_scenario("/dev/zero"); },
-              testing::ThrowsMessage<ScenarioError>(testing::HasSubstr(": not a regular file")));
+              testing::ThrowsMessage<ScenarioError>(directory.path().string() +
+                                                    ": neither a regular file nor a pipe" + valid));
+  write_file(directory / "large.json", std::string((1 << 20) + 1, ' '));
+  EXPECT_THAT(
+      [&] { read_scenario(directory / "large.json"); },
+      testing::ThrowsMessage<ScenarioError>(testing::HasSubstr(": has more than 1048576 bytes" + valid)));
+  write_file(directory / "full.json", body_with("") + std::string((1 << 20) - body_with("").size(), ' '));
+  EXPECT_EQ(read_scenario(directory / "full.json").name, "full");
 }
 
-TEST(ScenarioReader, RefusesAFileFarTooLarge) {
-  const TemporaryDirectory directory;
-  write_file(directory / "large.json", std::string(2 << 20, ' '));
-  EXPECT_THAT([&] { read_scenario(directory / "large.json"); },
-              testing::ThrowsMessage<ScenarioError>(testing::HasSubstr("at most 1048576 bytes")));
+TEST(ScenarioReader, PassesOverAByteOrderMark) {
+  EXPECT_EQ(parse_scenario("\xef\xbb\xbf" + body_with(""), "a.json").dt, 0.5);
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string list;
+  for (int i = 0; i < count; ++i) list += (i == 0 ? "" : ", ") + text;
+  return list;
+}
+
+std::string boxes(int count) {
+  return R"({"type": "compound", "parts": [)" + repeated(R"({"half_extents": [1, 1, 1], "mass": 1})", count) +
+         "]}";
+}
+
+std::string others(const std::string& shape, int count) {
+  return R"(, "others": [)" + repeated("{\"shape\": " + shape + "}", count) + "]";
+}
+
+TEST(ScenarioReader, TakesTwoHundredShapesInAll) {
+  const std::string sphere = R"({"type": "sphere", "radius": 1})";
+  EXPECT_EQ(message_of(body_with(others(sphere, 199))), "no error");
+  const std::string valid = " shapes in all, each part of a compound counted; valid is at most 200";
+  EXPECT_EQ(message_of(body_with(others(sphere, 200))), "bad.json: \"others\": makes it 201" + valid);
+  EXPECT_EQ(message_of(body_with(others(boxes(50), 4))), "bad.json: \"others\": makes it 201" + valid);
+  EXPECT_EQ(message_of(body_with(", \"shape\": " + boxes(201))), "bad.json: \"shape\": makes it 201" + valid);
 }
 
 }  // namespace

@@ -120,6 +120,7 @@ TEST(Viewer, RefusesBadInputInOneLine) {
       {{"--frobnicate"}, "valid options are"},
       {{"--scenario", "tumbler"}, "valid are cube_expansion, dzhanibekov"},
       {{"--contender", "exakt"}, "exact"},
+      {{"--replay", "\x1b[2J\u202e\xff\n"}, "\\x1b[2J\\xe2\\x80\\xae\\xff\\x0a: "},
       {{"--dt", "0"}, "--dt: must be a finite number between 1e-06 and 1000"},
       {{"--at", "-1"}, "--at: must be a finite number between 0 and 1e+09"},
       {{"--at", "1e9", "--screenshot", "x.png"}, "more than 1e+06 steps"},

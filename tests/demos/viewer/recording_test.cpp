@@ -3,10 +3,12 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
+#include "demos/compare/command.h"
 #include "demos/support_files.h"
 #include "demos/viewer/resolved_scenario.h"
-#include "scenario/json_file.h"
 #include "viewer/model/session.h"
 
 namespace polhode::demos {
@@ -69,7 +71,54 @@ TEST_F(RecordingFile, ThatIsNoneIsRefused) {
     write_file(file_, text);
     EXPECT_NE(error_of_replay(), "") << text;
   }
-  EXPECT_THROW(read_recording(directory_ / "nothing"), ScenarioError);
+}
+
+TEST_F(RecordingFile, ThatIsNoRegularFileIsRefused) {
+  const std::string valid = "; valid is a file that polhode_viewer --record wrote";
+  ASSERT_EQ(::mkfifo((directory_ / "pipe").c_str(), 0600), 0);
+  for (const auto& [file, reason] : std::vector<std::pair<std::filesystem::path, std::string>>{
+           {directory_ / "nothing", ": no such file"},
+           {directory_.path(), ": not a regular file"},
+           {directory_ / "pipe", ": not a regular file"},
+           {"/dev/zero", ": not a regular file"}}) {
+    EXPECT_THAT([&] { read_recording(file); },
+                testing::ThrowsMessage<std::invalid_argument>(file.string() + reason + valid));
+  }
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+TEST_F(RecordingFile, ThatIsHugeIsRefusedInLittleMemory) {
+  const std::string whole = read_file(file_);
+  const std::string header = whole.substr(0, whole.find('\n') + 1);
+  const double before = peak_megabytes();
+  for (const auto& [begin, reason] : std::vector<std::pair<std::string, std::string>>{
+           {"", "its first line has more than 8388608 bytes"},
+           {header, "its line of step 0 is not one number per contender"},
+           {whole, "its line of step 61 is not one number per contender"},
+           {std::string(1000000, '['), "nested deeper than 16 levels"},
+           {"{\"format\": " + std::string(1000000, '['), "nested deeper than 16 levels"},
+           {header.substr(0, header.size() - 3) + ", \"a\": 1}}\n", "\"a\": unknown key"}}) {
+    write_file(file_, begin);
+    if (begin.size() < 1000000) std::filesystem::resize_file(file_, std::uintmax_t{2} << 30);  // with zeros
+    EXPECT_THAT(error_of_replay(), HasSubstr(reason));
+  }
+  EXPECT_LT(peak_megabytes() - before, 50.0 * kMemoryFactor);  // measured 10
+}
+
+TEST_F(RecordingFile, OfAMillionStepsIsRead) {
+  std::string text = read_file(file_);
+  const std::string line = text.substr(text.rfind('\n', text.size() - 2) + 1);
+  text.erase(text.find('\n') + 1);
+  for (int step = 0; step <= 1000000; ++step) text += line;
+  write_file(file_, text);
+  EXPECT_EQ(read_recording(file_).steps(), 1000000);
+  write_file(file_, text + line);
+  EXPECT_THAT(error_of_replay(), HasSubstr("it has more than 1000000 steps"));
 }
 
 TEST_F(RecordingFile, ThatIsCutShortIsRefused) {

@@ -36,6 +36,14 @@ TEST(PlaybackClock, DoesNotRaceAfterTimeThatWasLost) {
   EXPECT_EQ(clock.speed(), PlaybackClock::kFastest);
 }
 
+TEST(Session, HasANoticeOfOnePrintableLine) {
+  Session session(resolved_scenario("tumble"), find_contenders({"exact"}));
+  session.set_notice("written: a\x1b[2J\n\u202e.csv");
+  EXPECT_EQ(session.notice(), "written: a\\x1b[2J\\x0a\\xe2\\x80\\xae.csv");
+  session.set_notice(std::string(100000, 'a'));
+  EXPECT_LT(session.notice().size(), 1010u);  // measured 1005
+}
+
 TEST(Session, PlaysOnlyWhileItRuns) {
   Session session(resolved_scenario("tumble"), find_contenders({"exact"}));
   session.advance(0.1, kPlenty);

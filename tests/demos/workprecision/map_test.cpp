@@ -1,5 +1,7 @@
 // polhode_workprecision map, as a process: the same bytes whoever computes them, and however often it is
 // killed.
+#include <sys/stat.h>
+
 #include <nlohmann/json.hpp>
 
 #include "demos/workprecision/cell_map_test.h"
@@ -106,6 +108,62 @@ TEST_F(StabilityMap, RefusesAFileThatIsNoJournal) {
   write_file(directory_ / "out.csv.partial", "dear diary\n");
   EXPECT_THAT(expect_refusal(), HasSubstr("it is no journal of a map"));
   EXPECT_EQ(read_file(directory_ / "out.csv.partial"), "dear diary\n");
+}
+
+// 2 * 200 * 200 cells, as an application of some hours may leave them.
+TEST_F(StabilityMap, GoesOnFromAJournalOfMegabytes) {
+  const Texts large = {"--omega-dt", "0.05", "2", "200", "--inertia-ratio", "1.2", "5", "200"};
+  command_.resize(5);
+  MapGrid grid;
+  grid.contenders = find_contenders({"rk4", "semi_implicit_gyroscopic"});
+  grid.omega_dt = {0.05, 2.0, 200};
+  grid.inertia_ratio = {1.2, 5.0, 200};
+  std::string journal = grid.description() + "\n";
+  for (int cell = 0; cell < 80000; ++cell) journal += std::to_string(cell) + " 0.125 0\n";
+  write_file(directory_ / "out.csv.partial", journal);
+  const std::string csv = map("out.csv", large);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 80001);
+  EXPECT_THAT(line(csv, 80000), testing::EndsWith(",finite,0.125,"));
+
+  write_file(directory_ / "out.csv.partial", journal + "0 0.5 0\n");
+  std::filesystem::remove(directory_ / "out.csv");
+  EXPECT_THAT(expect_refusal(large), HasSubstr("holds more cells than this map has, 80000; delete it"));
+  EXPECT_EQ(read_file(directory_ / "out.csv.partial"), journal + "0 0.5 0\n");
+}
+
+TEST_F(StabilityMap, ReadsAHostileJournalInLittleMemory) {
+  const std::filesystem::path journal = directory_ / "out.csv.partial";
+  for (const std::string& begin : {std::string(1000000, '['), "{\"steps\": " + std::string(50000, '[') + "\n",
+                                   std::string("\x1b[2J\xff\n"), std::string("{}"), std::string()}) {
+    write_file(journal, begin);
+    std::filesystem::resize_file(journal, std::uintmax_t{2} << 30);  // with zeros
+    const CommandResult result = Command(POLHODE_WORKPRECISION_EXECUTABLE, arguments("out.csv")).wait();
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.standard_error, HasSubstr("it is no journal of a map"));
+    EXPECT_LT(result.peak_megabytes, 60.0 * kMemoryFactor);  // measured 15
+    EXPECT_LT(result.processor_seconds, 1.0);                // measured 0.005
+  }
+  write_file(journal, "{\"steps\": \"\\u001b[2J\u202e" + std::string(50000, 'a') + "\"}\n");
+  const std::string message = expect_refusal();
+  EXPECT_THAT(message, HasSubstr("steps is \"\\u001b[2J\\xe2\\x80\\xaeaaa"));
+  EXPECT_LT(message.size(), 3000u);  // measured 1530
+}
+
+TEST_F(StabilityMap, TakesNoOtherCellsFromAHostileJournal) {
+  const std::string clean = map("clean.csv");
+  for (const char* cell : {"3 nan 17\n", "3 inf 17\n", "3 -inf 17\n", "80 0 0\n", "-1 0 0\n"}) {
+    write_file(directory_ / "out.csv.partial", first_line_of_journal() + cell);
+    std::filesystem::resize_file(directory_ / "out.csv.partial", std::uintmax_t{2} << 30);
+    EXPECT_EQ(map("out.csv"), clean) << cell;
+  }
+}
+
+TEST_F(StabilityMap, RefusesAJournalThatIsNoRegularFile) {
+  std::filesystem::create_symlink("/dev/zero", directory_ / "out.csv.partial");
+  EXPECT_THAT(expect_refusal(), HasSubstr("out.csv.partial\": the journal is not a regular file; valid is"));
+  std::filesystem::remove(directory_ / "out.csv.partial");
+  ASSERT_EQ(::mkfifo((directory_ / "out.csv.partial").c_str(), 0600), 0);
+  EXPECT_THAT(expect_refusal({"--restart"}), HasSubstr("the journal is not a regular file"));
 }
 
 TEST_F(StabilityMap, RefusesAJournalThatAnotherRunIsWriting) {

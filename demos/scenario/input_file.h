@@ -1,0 +1,33 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+/// Reading in bounded memory and time, whatever a file turns out to be.
+namespace polhode::demos {
+
+/// Says why a file cannot be read. The file's name is not in it.
+class InputFileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The content of a regular file, or of a pipe such as a shell makes for <(...). The other end of a pipe has to
+/// be closed within `patience`.
+/// @throws InputFileError also if there are more than `most` bytes.
+std::string read_text_file(const std::filesystem::path& file, std::size_t most,
+                           std::chrono::milliseconds patience = std::chrono::seconds(30));
+
+/// A regular file, to be read line by line.
+/// @throws InputFileError
+std::ifstream open_regular_file(const std::filesystem::path& file);
+
+/// Reads the next line, without its newline. Returns false at the end of the file, and at a line of more than
+/// `longest` bytes, whose beginning is then in `line`.
+bool read_line(std::istream& stream, std::size_t longest, std::string& line);
+
+}  // namespace polhode::demos
