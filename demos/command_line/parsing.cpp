@@ -1,10 +1,11 @@
 #include "command_line/parsing.h"
 
 #include <cmath>
-#include <iostream>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
+#include "command_line/program.h"
 #include "record/output_file.h"
 #include "scenario/number_text.h"
 
@@ -55,7 +56,9 @@ bool parse(CLI::App& app, int argument_count, char** arguments) {
   try {
     app.parse(argument_count, arguments);
   } catch (const CLI::Success& asked_for_help) {
-    app.exit(asked_for_help, std::cout, std::cerr);
+    std::ostringstream text;
+    app.exit(asked_for_help, text, text);
+    print(text.str());
     return false;
   } catch (const CLI::ParseError& error) {
     throw std::invalid_argument(std::string(error.what()) + "; " + valid_words(app));

@@ -30,13 +30,14 @@ void redirect(int descriptor, const std::filesystem::path& file) {
 }  // namespace
 
 Command::Command(const std::string& program, const std::vector<std::string>& arguments,
-                 const std::vector<std::string>& environment) {
+                 const std::vector<std::string>& environment, const std::function<void()>& prepare) {
   std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   process_ = ::fork();
   if (process_ != 0) return;
   redirect(STDOUT_FILENO, output_ / "out");
   redirect(STDERR_FILENO, output_ / "err");
+  prepare();
   become(words, environment);
 }
 
@@ -47,7 +48,7 @@ void Command::send_signal(int signal) const {
 CommandResult Command::wait() {
   int status = 0;
   ::waitpid(process_, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(output_ / "out"),
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_file(output_ / "out"),
           read_file(output_ / "err")};
 }
 
