@@ -12,11 +12,22 @@ extern "C" void note_signal(int signal) {
   noted_signal = signal;
 }
 
+// A shell ignores signals for a program in the background, and nohup the hangup: that stays so.
+void watch_for(int signal) {
+  if (std::signal(signal, note_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 }  // namespace
 
 void watch_for_interruption() {
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
+  watch_for(SIGINT);
+  watch_for(SIGTERM);
+#ifdef SIGHUP
+  watch_for(SIGHUP);
+#endif
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit is an error of its writer
+#endif
 }
 
 int interrupting_signal() {

@@ -5,7 +5,8 @@
 
 namespace polhode::demos {
 
-/// Ctrl-C or a termination request, as an exception, so that destructors remove half-written files.
+/// Ctrl-C, a termination request or the terminal's end, as an exception, so that destructors remove
+/// half-written files.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(int signal, const std::string& message = "interrupted; no file was written")
@@ -16,7 +17,8 @@ class Interrupted : public std::runtime_error {
   int signal_;
 };
 
-/// Notes such a signal from now on.
+/// Notes such a signal from now on. A limit on the size of files no longer ends the program either: writing
+/// fails.
 void watch_for_interruption();
 
 /// Returns that signal, 0 if there was none.

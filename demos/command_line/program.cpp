@@ -1,5 +1,7 @@
 #include "command_line/program.h"
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -39,8 +41,10 @@ int run_program(const std::string& program, const std::function<void()>& work,
 }
 
 void print(const std::string& text) {
-  if (!(std::cout << printable_lines(text) << std::flush))
-    throw std::runtime_error("standard output cannot be written");
+  errno = 0;
+  if (std::cout << printable_lines(text) << std::flush) return;
+  throw std::runtime_error("standard output cannot be written" +
+                           (errno == 0 ? std::string() : ": " + std::string(std::strerror(errno))));
 }
 
 }  // namespace polhode::demos

@@ -35,13 +35,14 @@ double seconds(const timeval& time) {
 }  // namespace
 
 Command::Command(const std::string& program, const std::vector<std::string>& arguments,
-                 const std::vector<std::string>& environment) {
+                 const std::vector<std::string>& environment, const std::function<void()>& prepare) {
   std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   process_ = ::fork();
   if (process_ != 0) return;
   redirect(STDOUT_FILENO, output_ / "out");
   redirect(STDERR_FILENO, output_ / "err");
+  prepare();
   become(words, environment);
 }
 
@@ -53,7 +54,7 @@ CommandResult Command::wait() {
   int status = 0;
   rusage usage{};
   ::wait4(process_, &status, 0, &usage);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(output_ / "out"),
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read_file(output_ / "out"),
           read_file(output_ / "err"), seconds(usage.ru_utime) + seconds(usage.ru_stime),
           static_cast<double>(usage.ru_maxrss) / 1024.0};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 namespace polhode::demos {
 
 struct CommandResult {
-  int exit_code;  ///< -1 if a signal ended it
+  int exit_code;  ///< minus the signal that ended it
   std::string standard_output;
   std::string standard_error;
   double processor_seconds;
@@ -25,9 +26,12 @@ inline constexpr double kMemoryFactor = 1.0;
 /// A program under way, its output caught.
 class Command {
  public:
-  Command(const std::string& program, const std::vector<std::string>& arguments,
-          const std::vector<std::string>& environment = {});
+  /// environment: NAME=VALUE, or NAME to unset it. prepare() is called in the new process.
+  Command(
+      const std::string& program, const std::vector<std::string>& arguments,
+      const std::vector<std::string>& environment = {}, const std::function<void()>& prepare = [] {});
   void send_signal(int signal) const;
+  int process() const { return process_; }
   /// Waits for the end of the command. Call it once.
   CommandResult wait();
 

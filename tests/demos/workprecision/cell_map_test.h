@@ -77,7 +77,7 @@ class CellMapTest : public testing::Test {
     const std::string whole = map("whole.csv", long_run_);
     const auto killed = under_way("out.csv");
     killed->send_signal(SIGKILL);
-    EXPECT_EQ(killed->wait().exit_code, -1);
+    EXPECT_EQ(killed->wait().exit_code, -SIGKILL);
     const std::int64_t lines = lines_of_journal("out.csv");
     EXPECT_GE(lines, 5);
     EXPECT_LT(lines, 1 + cells) << "killed too late to show anything";

@@ -43,6 +43,11 @@ class RotationWorld;
 /// steps. Outside a step bodies are as the application left them: their gyroscopic flags are cleared within
 /// the step only, so that the term does not count twice. Not thread-safe: call it from where you call
 /// stepSimulation.
+///
+/// Out of memory: a function that throws std::bad_alloc has changed nothing. A step throws nothing and goes on.
+/// Bodies that are new to it stay Bullet's until a later step finds the memory, and then start from their
+/// present motion. A body in its first joint or contact may lack its gyroscopic term in that step. A scheme of
+/// the application's must neither throw nor allocate in a step.
 class RotationControl {
  public:
   ~RotationControl();

@@ -88,7 +88,7 @@ void Batch::start(std::size_t lane) {
   set_state(lane, first);
 }
 
-void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
+void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) noexcept {
   set_state(to, other.state(from));
   for (std::size_t row = 0; row < memory_rows(); ++row) memory[row].set(to, other.memory[row][from]);
   for (auto rows : {&Batch::written_omega_W, &Batch::inverse_inertia_B, &Batch::origin}) {
@@ -105,17 +105,27 @@ void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) {
   }
   gyroscopic_flags[to] = other.gyroscopic_flags[from];
   if (other.applied_torque_W != nullptr) {
-    if (applied_torque_W == nullptr) applied_torque_W = std::make_unique<BulletRows>();
-    set_vector_in_lane(to, vector_in_lane(*other.applied_torque_W, from), *applied_torque_W);
+    if (BulletRows* const torque_W = make_if_null(applied_torque_W)) {
+      set_vector_in_lane(to, vector_in_lane(*other.applied_torque_W, from), *torque_W);
+    } else {
+      given_torque.reset(to);
+    }
   }
   if (other.effective != nullptr) {
-    if (effective == nullptr) effective = std::make_unique<EffectiveInertia<Wide>>();
-    for (int i = 0; i < 3; ++i) effective->u_W[i].set(to, other.effective->u_W[i][from]);
-    for (int i = 0; i < 9; ++i) effective->M_W.coeffRef(i).set(to, other.effective->M_W.coeff(i)[from]);
+    if (EffectiveInertia<Wide>* const moved = make_if_null(effective)) {
+      for (int i = 0; i < 3; ++i) moved->u_W[i].set(to, other.effective->u_W[i][from]);
+      for (int i = 0; i < 9; ++i) moved->M_W.coeffRef(i).set(to, other.effective->M_W.coeff(i)[from]);
+    } else {
+      given_mean.reset(to);
+      given_effective.reset(to);
+    }
   }
   if (other.held_turns != nullptr) {
-    if (held_turns == nullptr) held_turns = std::make_unique<std::array<HeldTurn, kLanes>>();
-    (*held_turns)[to] = (*other.held_turns)[from];
+    if (std::array<HeldTurn, kLanes>* const turns = make_if_null(held_turns)) {
+      (*turns)[to] = (*other.held_turns)[from];
+    } else {
+      held.reset(to);
+    }
   }
   steps[to] = other.steps[from];
   unresolved_steps[to] = other.unresolved_steps[from];

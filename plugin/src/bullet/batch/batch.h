@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <new>
 
 #include "bullet/batch/bullet_rows.h"
 #include "bullet/batch/effective_inertia.h"
@@ -88,8 +89,9 @@ struct alignas(64) Batch {
   /// Takes the body's motion as it is: its first step starts there, whenever the body was seen first.
   void start(std::size_t lane);
   void detach(std::size_t lane);
-  /// Takes over the body in another batch of the same scheme, with all that is known of it.
-  void move_from(const Batch& other, std::size_t from, std::size_t to);
+  /// Takes over the body in another batch of the same scheme, with all that is known of it. Where there is no
+  /// memory for what the solver was given, the rest of a step under way does without.
+  void move_from(const Batch& other, std::size_t from, std::size_t to) noexcept;
 
   RotationState state(std::size_t lane) const;
   BodyMotion last_written(std::size_t lane) const;
@@ -118,6 +120,13 @@ struct alignas(64) Batch {
   void note(std::size_t lane, IncidentKind kind) { to_report[static_cast<std::size_t>(kind)].set(lane); }
   LaneBits lanes_with_incident() const { return to_report[0] | to_report[1]; }
 };
+
+/// Returns the object, made if there is none; null if there is no memory for one: a step does without then.
+template <class Object>
+Object* make_if_null(std::unique_ptr<Object>& object) noexcept {
+  if (object == nullptr) object.reset(new (std::nothrow) Object());
+  return object.get();
+}
 
 /// Hands the pose to the motion state of a body that moves, with the R_WB that is no rotation if the scheme
 /// keeps one.

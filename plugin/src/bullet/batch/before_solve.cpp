@@ -48,12 +48,22 @@ void clear_gyroscopic_flags(Batch& batch, std::size_t lane) {
   if (batch.gyroscopic_flags[lane] != 0) body.setFlags(flags & ~kGyroscopicFlags);
 }
 
+// For the rest of the step.
+void leave_to_bullet(Batch& batch, std::size_t lane) {
+  btRigidBody& body = *batch.bodies[lane];
+  body.setFlags(body.getFlags() | batch.gyroscopic_flags[lane]);
+  batch.begun.reset(lane);
+  batch.in_solve.reset(lane);
+  batch.of_library.reset(lane);
+}
+
+// A body whose mark is missing counts as constrained: that costs a free one a rounding error.
 LaneBits constrained_lanes(const Batch& batch, const LaneBits& lanes, const StepContext& context) {
   LaneBits constrained;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     const auto index = static_cast<std::size_t>(batch.world_index[lane]);
     constrained.set(
-        lane, lanes[lane] && index < context.is_constrained.size() && context.is_constrained[index] != 0);
+        lane, lanes[lane] && (index >= context.is_constrained.size() || context.is_constrained[index] != 0));
   }
   return constrained;
 }
@@ -77,12 +87,11 @@ void find_gyroscopic_torque(const Batch& batch, const Vector3Wide& end_omega_W, 
 // Schemes that carry omega hand their gyroscopic change to the solver as Bullet's own flags do, as the
 // impulse of a torque: then contacts and joints get to know of it where they would of Bullet's.
 void give_gyroscopic_torque(Batch& batch, const LaneBits& lanes, const StepContext& context) {
-  if (context.dt == btScalar(0)) return;
+  if (context.dt == btScalar(0) || make_if_null(batch.applied_torque_W) == nullptr) return;
   WideState end = batch.wide_state();
   batch.step(lanes, batch.free_input(context.dt), end, nullptr);
   BulletRows torque_W;
   find_gyroscopic_torque(batch, end.omega_W, Wide(static_cast<double>(context.dt)), torque_W);
-  if (batch.applied_torque_W == nullptr) batch.applied_torque_W = std::make_unique<BulletRows>();
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
     btVector3& torque = total_torque(*batch.bodies[lane]);
@@ -123,6 +132,11 @@ void find_slow(const Batch& batch, const Wide& dt, LaneBits& slow) noexcept {
 
 // Schemes whose turn has no constant velocity: constrained bodies are given the mean one.
 void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& context) {
+  if (make_if_null(batch.effective) == nullptr) {
+    give_start_velocity(batch, lanes, context);
+    batch.unresolved |= lanes;
+    return;
+  }
   const Wide dt = static_cast<double>(context.dt);
   WideState end = batch.wide_state();
   batch.step(lanes, batch.free_input(context.dt), end, nullptr);
@@ -132,7 +146,6 @@ void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& 
   const bool takes_M = context.solver_takes_effective_inertia;
   find_effective_inertia(batch, u_W, dt, takes_M ? kResolvedWithM : kResolvedWithoutM, found);
 
-  if (batch.effective == nullptr) batch.effective = std::make_unique<EffectiveInertia<Wide>>();
   *batch.effective = found.effective;
   batch.given_mean |= lanes & found.is_resolved.lanes();
   batch.unresolved |= lanes & ~found.is_resolved.lanes();
@@ -193,7 +206,12 @@ void before_solve(Batch& batch, const StepContext& context) noexcept {
     give_constrained(batch, turning, context);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (lanes[lane] && batch.held[lane]) give_held(batch, lane, context);
+    if (!lanes[lane] || !batch.held[lane]) continue;
+    if (make_if_null(batch.held_turns) != nullptr) {
+      give_held(batch, lane, context);
+    } else {
+      leave_to_bullet(batch, lane);
+    }
   }
 }
 

@@ -17,7 +17,8 @@ enum class PoseIntegratedBy {
 /// The values that all bodies of a step share.
 struct StepContext {
   btScalar dt;
-  /// 1 for a body with an enabled joint or a contact point, by btCollisionObject::getWorldArrayIndex.
+  /// 1 for a body with an enabled joint or a contact point, by btCollisionObject::getWorldArrayIndex. Too
+  /// short if there was no memory for it.
   const std::vector<char>& is_constrained;
   /// False for solvers that assume a symmetric inverse inertia.
   bool solver_takes_effective_inertia;

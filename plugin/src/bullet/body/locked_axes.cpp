@@ -99,7 +99,6 @@ Vector3 project_onto_unlocked_axes(const Matrix3& inverse_inertia_W, const Vecto
 
 void give_held(Batch& batch, std::size_t lane, const StepContext& context) {
   btRigidBody& body = *batch.bodies[lane];
-  if (batch.held_turns == nullptr) batch.held_turns = std::make_unique<std::array<HeldTurn, kLanes>>();
   HeldTurn& turn = (*batch.held_turns)[lane];
   turn = free_turn(batch, lane, context);
   const Vector3 shown_W = to_double(vector_in_lane(batch.written_omega_W, lane));

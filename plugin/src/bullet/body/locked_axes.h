@@ -23,7 +23,8 @@ Vector3 project_onto_unlocked_axes(const Matrix3& inverse_inertia_W, const Vecto
                                    const Vector3& v_W);
 
 /// Before the solve: gives the solver the turn velocity without what the lock forbids. About a locked axis
-/// the body goes on as it turns there, which is not at all unless the application has set it.
+/// the body goes on as it turns there, which is not at all unless the application has set it. The batch has its
+/// held_turns.
 void give_held(Batch& batch, std::size_t lane, const StepContext& context);
 
 /// After the solve: the state at the end of a step of dt. `solved_W` is the solver's velocity on entry, the

@@ -12,25 +12,23 @@ namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 /// Runs one of Bullet's loops over some of the world's bodies: shortens the world's list to them meanwhile,
-/// and puts it back in its order, which the solver depends on. `loop` must not change the list.
+/// and puts it back in its order, which the solver depends on. `some` are places in the list, ascending.
+/// `loop` must not change the list.
 template <class Loop>
-void run_for(const std::vector<btRigidBody*>& some, btAlignedObjectArray<btRigidBody*>& bodies,
-             const Loop& loop) {
+void run_for(const std::vector<int>& some, btAlignedObjectArray<btRigidBody*>& bodies, const Loop& loop) {
   struct Shortened {
+    const std::vector<int>& places;
     btAlignedObjectArray<btRigidBody*>& list;
     int size = list.size();
-    std::vector<btRigidBody*> replaced = {};
 
     ~Shortened() {
       list.resizeNoInitialize(size);
-      for (std::size_t i = 0; i < replaced.size(); ++i) list[static_cast<int>(i)] = replaced[i];
+      for (std::size_t i = places.size(); i-- > 0;) list.swap(static_cast<int>(i), places[i]);
     }
   };
-  Shortened put_back_at_end{bodies};
-  for (std::size_t i = 0; i < some.size(); ++i) {
-    put_back_at_end.replaced.push_back(bodies[static_cast<int>(i)]);
-    bodies[static_cast<int>(i)] = some[i];
-  }
+  Shortened put_back_at_end{some, bodies};
+  // A body goes to the left or stays, so that those still to come are where `some` says.
+  for (std::size_t i = 0; i < some.size(); ++i) bodies.swap(static_cast<int>(i), some[i]);
   bodies.resizeNoInitialize(static_cast<int>(some.size()));
   loop();
 }

@@ -1,79 +1,144 @@
 #include "bullet/world/body_registry.h"
 
 #include <algorithm>
+#include <functional>
+#include <new>
 #include <utility>
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-bool BodyRegistry::synchronize(const Bodies& bodies, const SchemeChoices& choices) {
-  const auto size = static_cast<std::size_t>(bodies.size());
-  const std::size_t same = std::min(size, bodies_.size());
+namespace {
+
+template <class Element>
+void reserve_one_more(std::vector<Element>& list) {
+  if (list.size() == list.capacity()) list.reserve(2 * list.size() + 1);
+}
+
+}  // namespace
+
+bool BodyRegistry::synchronize(const Bodies& list, const SchemeChoices& choices) noexcept {
+  const auto size = static_cast<std::size_t>(list.size());
   const bool is_unchanged =
-      size == bodies_.size() && (size == 0 || std::equal(bodies_.begin(), bodies_.end(), &bodies[0]));
-  if (is_unchanged) return false;
-  // Bodies that are not where they were: gone, or moved within the list.
-  std::unordered_map<const btRigidBody*, Place> missing;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const bool stays = i < same && bodies_[i] == bodies[static_cast<int>(i)];
-    if (!stays) missing.emplace(bodies_[i], std::exchange(places_[i], Place()));
+      size == bodies_.size() && (size == 0 || std::equal(bodies_.begin(), bodies_.end(), &list[0]));
+  if (is_unchanged && !lacks_memory_) return false;
+  const std::size_t size_with_memory = reserve(size);
+  lacks_memory_ = size_with_memory < size;
+  if (!is_unchanged) follow(list, size_with_memory);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (places_[i].family == kArrived) try_to_add(i, choices);
   }
-  const std::size_t former_size = bodies_.size();
-  bodies_.resize(size);
-  places_.resize(size);
-  std::vector<std::size_t> arrived;
-  for (std::size_t i = 0; i < size; ++i) {
-    btRigidBody* body = bodies[static_cast<int>(i)];
-    if (i < former_size && bodies_[i] == body) continue;
-    bodies_[i] = body;
-    const auto moved = missing.find(body);
-    if (moved == missing.end()) {
-      arrived.push_back(i);
-      continue;
-    }
-    places_[i] = moved->second;
-    if (places_[i].family != kNone) {
-      families_[places_[i].family].batch_of(places_[i].number).list_index[places_[i].number % kLanes] =
-          static_cast<std::uint32_t>(i);
-    }
-    missing.erase(moved);
-  }
-  // From the last to the first, so that the body that fills the hole is one that stays.
-  std::vector<Place> gone;
-  for (const auto& body_and_place : missing) gone.push_back(body_and_place.second);
-  std::sort(gone.begin(), gone.end(), [](const Place& a, const Place& b) { return a.number > b.number; });
-  for (const Place& place : gone) remove(place);
-  for (const std::size_t index : arrived) add(index, choices);
   list_batches();
+  ++changes_;
   return true;
 }
 
+// Makes room for a list of this size. Returns the size for which there is room.
+std::size_t BodyRegistry::reserve(std::size_t size) noexcept {
+  if (size <= capacity_) return size;
+  try {
+    const std::size_t wanted = std::max(size, 2 * capacity_);
+    bodies_.reserve(wanted);
+    places_.reserve(wanted);
+    moved_.reserve(wanted);
+    capacity_ = wanted;
+  } catch (const std::bad_alloc&) {  // the rest of the list stays with Bullet for now
+  }
+  return std::min(size, capacity_);
+}
+
+// Brings bodies_ in line with the first `size` bodies of the list, for which there is room.
+void BodyRegistry::follow(const Bodies& list, std::size_t size) noexcept {
+  // Bodies that are not where they were: gone, or moved within the list.
+  const std::size_t former_size = bodies_.size();
+  moved_.clear();
+  for (std::size_t i = 0; i < former_size; ++i) {
+    const bool stays = i < size && bodies_[i] == list[static_cast<int>(i)];
+    if (!stays) moved_.push_back({bodies_[i], std::exchange(places_[i], Place())});
+  }
+  const auto by_address = [](const Moved& a, const Moved& b) {
+    return std::less<const btRigidBody*>()(a.body, b.body);
+  };
+  std::sort(moved_.begin(), moved_.end(), by_address);
+  bodies_.resize(size);
+  places_.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    btRigidBody* body = list[static_cast<int>(i)];
+    if (i < former_size && bodies_[i] == body) continue;
+    bodies_[i] = body;
+    const auto found = std::lower_bound(moved_.begin(), moved_.end(), Moved{body, Place()}, by_address);
+    if (found == moved_.end() || found->body != body) {
+      places_[i] = {kArrived, static_cast<std::uint32_t>(body_identity(*body))};
+      continue;
+    }
+    places_[i] = std::exchange(found->place, Place());
+    if (has_lane(places_[i])) {
+      families_[places_[i].family].batch_of(places_[i].number).list_index[places_[i].number % kLanes] =
+          static_cast<std::uint32_t>(i);
+    }
+  }
+  // From the last to the first, so that the body that fills the hole is one that stays.
+  std::sort(moved_.begin(), moved_.end(),
+            [](const Moved& a, const Moved& b) { return a.place.number > b.place.number; });
+  for (const Moved& gone : moved_) remove(gone.place);
+}
+
+void BodyRegistry::try_to_add(std::size_t index, const SchemeChoices& choices) noexcept {
+  const SchemePointer scheme = choices.scheme_of(*bodies_[index]);
+  try {
+    if (scheme != nullptr) expect(scheme);
+    add(index, scheme);
+  } catch (const std::bad_alloc&) {
+    lacks_memory_ = true;
+  }
+}
+
 void BodyRegistry::apply_choices(const SchemeChoices& choices) {
+  const auto has_other = [&](std::size_t index, const SchemePointer& wanted) {
+    const Batch* batch = lane_at(index).batch;
+    return is_replaced(index) || (batch == nullptr ? nullptr : batch->scheme.get()) != wanted.get();
+  };
+  try {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
+      if (wanted != nullptr && has_other(i, wanted)) expect(wanted);
+    }
+  } catch (...) {
+    list_batches();
+    throw;
+  }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const Batch* batch = lane_at(i).batch;
     const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
-    if (!is_replaced(i) && (batch == nullptr ? nullptr : batch->scheme.get()) == wanted.get()) continue;
+    if (!has_other(i, wanted)) continue;
     remove(i);
-    add(i, choices);
+    add(i, wanted);
   }
   list_batches();
 }
 
-void BodyRegistry::restart(btRigidBody& body, const SchemeChoices& choices) {
+void BodyRegistry::restart(btRigidBody& body, const SchemePointer& scheme) {
   const std::size_t index = index_of(body);
   if (index == bodies_.size()) return;
+  try {
+    if (scheme != nullptr) expect(scheme);
+  } catch (...) {
+    list_batches();
+    throw;
+  }
   remove(index);
-  add(index, choices);
+  add(index, scheme);
   list_batches();
 }
 
 void BodyRegistry::clear() {
+  const std::uint64_t changes = changes_;
   *this = BodyRegistry();
+  changes_ = changes + 1;
 }
 
 BodyRegistry::Lane BodyRegistry::lane_at(std::size_t index) const {
   const Place& place = places_[index];
-  if (place.family == kNone) return {nullptr, 0};
+  if (!has_lane(place)) return {nullptr, 0};
   return {families_[place.family].batches[place.number / kLanes].get(), place.number % kLanes};
 }
 
@@ -99,28 +164,41 @@ bool BodyRegistry::has_replaced_bodies_left_to_bullet() const {
 BodyRegistry::Lane BodyRegistry::find(const btRigidBody& body, const SchemeChoices& choices) {
   const std::size_t index = index_of(body);
   if (index == bodies_.size()) return {nullptr, 0};
-  if (is_replaced(index)) restart(*bodies_[index], choices);
+  if (is_replaced(index)) restart(*bodies_[index], choices.scheme_of(*bodies_[index]));
   return lane_at(index);
 }
 
-void BodyRegistry::add(std::size_t index, const SchemeChoices& choices) {
+// Makes room for one body more than is expected already.
+void BodyRegistry::expect(const SchemePointer& scheme) {
+  Family& family = families_[family_of(scheme)];
+  if (family.count + family.expected == family.batches.size() * kLanes) {
+    reserve_one_more(batches_);
+    reserve_one_more(family.batches);
+    family.batches.push_back(std::make_unique<Batch>(scheme));
+    batches_.push_back(family.batches.back().get());
+  }
+  ++family.expected;
+}
+
+// The body was expected. Null: Bullet rotates it.
+void BodyRegistry::add(std::size_t index, const SchemePointer& scheme) noexcept {
   btRigidBody& body = *bodies_[index];
-  const SchemePointer scheme = choices.scheme_of(body);
   Place& place = places_[index];
   place = {kNone, static_cast<std::uint32_t>(body_identity(body))};
   if (scheme == nullptr) return;
-  place.family = family_of(scheme);
+  place.family = family_of_scheme_.find(scheme.get())->second;
   Family& family = families_[place.family];
   place.number = static_cast<std::uint32_t>(family.count);
-  if (family.count % kLanes == 0) family.batches.push_back(std::make_unique<Batch>(scheme));
   ++family.count;
+  --family.expected;
   Batch& batch = family.batch_of(place.number);
   batch.attach(place.number % kLanes, body);
   batch.list_index[place.number % kLanes] = static_cast<std::uint32_t>(index);
 }
 
-void BodyRegistry::remove(const Place& place) {
-  if (place.family == kNone) return;
+// The batches stay until list_batches.
+void BodyRegistry::remove(const Place& place) noexcept {
+  if (!has_lane(place)) return;
   Family& family = families_[place.family];
   const std::size_t last = family.count - 1;
   Batch& last_batch = family.batch_of(last);
@@ -131,10 +209,6 @@ void BodyRegistry::remove(const Place& place) {
   }
   last_batch.detach(last % kLanes);
   --family.count;
-  if (family.count % kLanes == 0) family.batches.pop_back();
-  if (family.count > 0) return;
-  family_of_scheme_.erase(family.scheme.get());
-  family.scheme = nullptr;
 }
 
 std::uint32_t BodyRegistry::family_of(const SchemePointer& scheme) {
@@ -162,10 +236,16 @@ std::size_t BodyRegistry::index_of(const btRigidBody& body) const {
   return hints_[hint];
 }
 
-void BodyRegistry::list_batches() {
+// Lists the batches that hold bodies, and drops the others.
+void BodyRegistry::list_batches() noexcept {
   batches_.clear();
-  for (const Family& family : families_) {
+  for (Family& family : families_) {
+    family.expected = 0;
+    family.batches.resize((family.count + kLanes - 1) / kLanes);
     for (const auto& batch : family.batches) batches_.push_back(batch.get());
+    if (family.count > 0 || family.scheme == nullptr) continue;
+    family_of_scheme_.erase(family.scheme.get());
+    family.scheme = nullptr;
   }
 }
 

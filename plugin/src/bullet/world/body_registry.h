@@ -17,17 +17,23 @@ inline namespace POLHODE_PRECISION {
 /// Which body of the world is in which batch. A body gets a place when it is first seen in the world's list
 /// and loses it when it is gone from there; the last body of its scheme then fills the hole. Bodies are the
 /// application's and may be dead between two calls of synchronize: until then none is looked at.
+/// What throws std::bad_alloc leaves everything as it was.
 class BodyRegistry {
  public:
   using Bodies = btAlignedObjectArray<btRigidBody*>;
 
   /// Brings the batches in line with the world's list. Cheap where the list is as it was; then returns false.
-  bool synchronize(const Bodies& bodies, const SchemeChoices& choices);
+  /// Bodies for which there is no memory stay with Bullet; the next call tries again.
+  bool synchronize(const Bodies& list, const SchemeChoices& choices) noexcept;
+  /// Returns whether there are such bodies.
+  bool lacks_memory() const { return lacks_memory_; }
+  /// Counts the calls of synchronize that returned true, and those of clear.
+  std::uint64_t changes() const { return changes_; }
   /// Gives each body of the list the scheme that is chosen for it, starting afresh where that is another one,
   /// and where a new body has come to the address of an old one. To be called after synchronize.
   void apply_choices(const SchemeChoices& choices);
-  /// The same for one body, starting afresh in any case.
-  void restart(btRigidBody& body, const SchemeChoices& choices);
+  /// Gives one body of the list this scheme, starting afresh in any case. Null: Bullet rotates it.
+  void restart(btRigidBody& body, const SchemePointer& scheme);
   void clear();
 
   /// The bodies as last synchronized.
@@ -56,24 +62,39 @@ class BodyRegistry {
     SchemePointer scheme;
     std::vector<std::unique_ptr<Batch>> batches;
     std::size_t count = 0;
+    std::size_t expected = 0;  ///< bodies to come, for which there is room
 
     Batch& batch_of(std::size_t number) { return *batches[number / kLanes]; }
   };
-  static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr std::uint32_t kNone = UINT32_MAX;         // Bullet rotates the body
+  static constexpr std::uint32_t kArrived = UINT32_MAX - 1;  // for want of memory, so far
   struct Place {
     std::uint32_t family = kNone;
     std::uint32_t number = 0;  ///< in the family; of a body without one, its identity
   };
+  struct Moved {
+    const btRigidBody* body;
+    Place place;
+  };
 
-  void add(std::size_t index, const SchemeChoices& choices);
-  void remove(std::size_t index) { remove(std::exchange(places_[index], Place())); }
-  void remove(const Place& place);
+  static bool has_lane(const Place& place) { return place.family < kArrived; }
+  std::size_t reserve(std::size_t size) noexcept;
+  void follow(const Bodies& list, std::size_t size) noexcept;
+  void try_to_add(std::size_t index, const SchemeChoices& choices) noexcept;
+  void expect(const SchemePointer& scheme);
+  void add(std::size_t index, const SchemePointer& scheme) noexcept;
+  void remove(std::size_t index) noexcept { remove(std::exchange(places_[index], Place())); }
+  void remove(const Place& place) noexcept;
   std::uint32_t family_of(const SchemePointer& scheme);
   std::size_t index_of(const btRigidBody& body) const;
-  void list_batches();
+  void list_batches() noexcept;
 
   std::vector<btRigidBody*> bodies_;
   std::vector<Place> places_;  // of bodies_
+  std::vector<Moved> moved_;   // within follow
+  std::size_t capacity_ = 0;   // of these three
+  bool lacks_memory_ = false;
+  std::uint64_t changes_ = 0;
   std::vector<Family> families_;
   std::unordered_map<const RotationScheme*, std::uint32_t> family_of_scheme_;
   std::vector<Batch*> batches_;

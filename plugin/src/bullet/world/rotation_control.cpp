@@ -90,7 +90,8 @@ std::size_t RotationControl::managed_bodies() const {
 }
 
 void RotationControl::set_incident_handler(IncidentHandler handler) {
-  stepper_->handler = std::move(handler);
+  stepper_->handler =
+      handler == nullptr ? nullptr : std::make_shared<const IncidentHandler>(std::move(handler));
 }
 
 std::uint64_t RotationControl::incidents() const {

@@ -99,6 +99,7 @@ btSimulationIslandManager* listening(btSimulationIslandManager& worlds_own, Solv
   constexpr int kAlignment = 16;
   static_assert(alignof(Ours) <= kAlignment, "Bullet frees it with btAlignedFree");
   void* memory = btAlignedAlloc(sizeof(Ours), kAlignment);
+  if (memory == nullptr) throw std::bad_alloc();
   return new (memory) Ours(static_cast<Manager&>(worlds_own), listener);
 }
 
@@ -195,8 +196,8 @@ RotationPlugin::~RotationPlugin() = default;
 void RotationPlugin::attach() {
   if (attached()) return;
   detach();
-  rotation_.stepper_->attach();
   try {
+    rotation_.stepper_->attach();
     attachment_ = std::make_unique<Attachment>(*this);
   } catch (...) {
     detach();

@@ -18,12 +18,14 @@ class SchemeChoices {
   /// The scheme of every body without a choice of its own; null: Bullet rotates them.
   SchemePointer default_scheme = polhode::default_scheme();
 
+  /// Makes room for a choice, and changes none: to be called before `choose`.
+  void expect(const btRigidBody& body) { choices_.try_emplace(&body, Choice{kNoBody, nullptr}); }
   /// Null: Bullet rotates the body.
-  void choose(const btRigidBody& body, SchemePointer scheme) {
-    choices_[&body] = {body_identity(body), std::move(scheme)};
+  void choose(const btRigidBody& body, SchemePointer scheme) noexcept {
+    choices_.find(&body)->second = {body_identity(body), std::move(scheme)};
     changed_ = true;
   }
-  void choose_default(const btRigidBody& body) { choices_.erase(&body); }
+  void choose_default(const btRigidBody& body) noexcept { choices_.erase(&body); }
 
   /// The scheme of the body; null: Bullet rotates it.
   SchemePointer scheme_of(const btRigidBody& body) const {
@@ -46,6 +48,7 @@ class SchemeChoices {
   bool changed() const { return changed_ && !choices_.empty(); }
 
  private:
+  static constexpr int kNoBody = -1;  // Bullet counts from 0
   struct Choice {
     int identity;  ///< body_identity: another body may get the address
     SchemePointer scheme;

@@ -3,7 +3,9 @@
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 
+#include <algorithm>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <unordered_set>
@@ -24,6 +26,9 @@ namespace {
 
 // Long enough that handing a part to a thread does not show, short enough that the threads end together.
 constexpr int kBatchesInPart = 32;
+
+constexpr IncidentKind kKindsInOrder[kIncidentKinds] = {IncidentKind::non_finite_body,
+                                                        IncidentKind::scheme_diverged};
 
 btDiscreteDynamicsWorld& require_discrete(btDynamicsWorld& world) {
   const btDynamicsWorldType type = world.getWorldType();
@@ -82,8 +87,15 @@ void mark(const btCollisionObject& object, std::vector<char>& is_constrained) {
 
 // Marks, by btCollisionObject::getWorldArrayIndex, the objects that the coming solve may constrain: those in
 // an enabled joint, and those in a manifold that has contact points and is answered (a trigger's is not).
+// If there is no memory for all of the marks, those at the end are missing.
 void find_constrained_bodies(btDiscreteDynamicsWorld& world, std::vector<char>& is_constrained) {
-  is_constrained.assign(static_cast<std::size_t>(world.getNumCollisionObjects()), 0);
+  const auto wanted = static_cast<std::size_t>(world.getNumCollisionObjects());
+  is_constrained.clear();
+  try {
+    is_constrained.reserve(wanted);
+  } catch (const std::bad_alloc&) {
+  }
+  is_constrained.resize(std::min(wanted, is_constrained.capacity()), 0);
   btDispatcher& dispatcher = *world.getDispatcher();
   constexpr int kAhead = 8;
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
@@ -118,7 +130,7 @@ btDiscreteDynamicsWorld& WorldStepper::world() const {
 void WorldStepper::attach() {
   claim_.claim(world());
   bullet_of_this_thread();  // made here, where the application may make bodies too
-  synchronize();
+  synchronize_all();
 }
 
 void WorldStepper::detach() {
@@ -131,34 +143,47 @@ void WorldStepper::world_is_gone() noexcept {
   world_ = nullptr;
 }
 
-void WorldStepper::synchronize() {
+void WorldStepper::synchronize() noexcept {
   if (registry_.synchronize(bodies(), choices_)) choices_.bodies_changed();
+}
+
+void WorldStepper::synchronize_all() {
+  synchronize();
+  if (registry_.lacks_memory()) throw std::bad_alloc();
+  is_constrained_.reserve(static_cast<std::size_t>(world_->getNumCollisionObjects()));
+  left_to_bullet_.reserve(static_cast<std::size_t>(bodies().size()));
 }
 
 void WorldStepper::set_default_scheme(SchemePointer scheme) {
   world();
-  choices_.default_scheme = std::move(scheme);
+  if (claim_.holds()) synchronize_all();
+  std::swap(choices_.default_scheme, scheme);
   if (!claim_.holds()) return;
-  synchronize();
-  registry_.apply_choices(choices_);
+  try {
+    registry_.apply_choices(choices_);
+  } catch (...) {
+    std::swap(choices_.default_scheme, scheme);
+    throw;
+  }
 }
 
 void WorldStepper::choose(btRigidBody& body, SchemePointer scheme) {
   world();
+  choices_.expect(body);
+  restart(body, scheme);
   choices_.choose(body, std::move(scheme));
-  restart(body);
 }
 
 void WorldStepper::choose_default(btRigidBody& body) {
   world();
+  restart(body, choices_.default_scheme);
   choices_.choose_default(body);
-  restart(body);
 }
 
-void WorldStepper::restart(btRigidBody& body) {
+void WorldStepper::restart(btRigidBody& body, const SchemePointer& scheme) {
   if (!claim_.holds()) return;
-  synchronize();
-  registry_.restart(body, choices_);
+  synchronize_all();
+  registry_.restart(body, scheme);
 }
 
 BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
@@ -184,14 +209,14 @@ std::size_t WorldStepper::managed_bodies() {
   return count;
 }
 
-BulletTurn& WorldStepper::bullet_of_this_thread() {
+BulletTurn* WorldStepper::bullet_of_this_thread() noexcept {
   static std::mutex one_at_a_time;  // a btRigidBody in there: its constructor counts bodies
   std::unique_ptr<BulletTurn>& bullet = bullet_of_threads_[btGetCurrentThreadIndex()];
   if (bullet == nullptr) {
     const std::lock_guard<std::mutex> lock(one_at_a_time);
-    bullet = std::make_unique<BulletTurn>();
+    make_if_null(bullet);
   }
-  return *bullet;
+  return bullet.get();
 }
 
 template <class Prefetch, class Function>
@@ -199,7 +224,11 @@ void WorldStepper::for_batches(btScalar dt, const Prefetch& prefetch_batch, cons
   const bool takes_effective_inertia = world_->getConstraintSolver()->getSolverType() != BT_MLCP_SOLVER;
   const std::vector<Batch*>& batches = registry_.batches();
   for_parts(batches.size(), kBatchesInPart, [&](std::size_t first, std::size_t last) {
-    const StepContext context = {dt, is_constrained_, takes_effective_inertia, bullet_of_this_thread()};
+    BulletTurn* const own_bullet = bullet_of_this_thread();
+    std::unique_lock<std::mutex> lock(spare_mutex_, std::defer_lock);
+    if (own_bullet == nullptr) lock.lock();
+    const StepContext context = {dt, is_constrained_, takes_effective_inertia,
+                                 own_bullet != nullptr ? *own_bullet : spare_bullet_};
     for (std::size_t i = first; i < last; ++i) {
       if (i + 1 < last) prefetch_batch(*batches[i + 1]);
       function(*batches[i], context);
@@ -210,26 +239,33 @@ void WorldStepper::for_batches(btScalar dt, const Prefetch& prefetch_batch, cons
 }
 
 template <class Prefetch, class Function>
-void WorldStepper::share_with_bullet(btScalar dt, const Prefetch& prefetch_batch, const Function& function,
+bool WorldStepper::share_with_bullet(btScalar dt, const Prefetch& prefetch_batch, const Function& function,
                                      const BulletsStage& bullet) {
-  std::atomic<std::size_t> count{0};
+  try {
+    left_to_bullet_.reserve(static_cast<std::size_t>(bodies().size()));
+  } catch (const std::bad_alloc&) {
+    for (Batch* batch : registry_.batches()) batch->of_library = LaneBits();
+    bullet();
+    return false;
+  }
+  std::atomic<int> count{0};
   for_batches(dt, prefetch_batch, [&](Batch& batch, const StepContext& context) {
     batch.of_library = function(batch, context);
-    count.fetch_add(batch.of_library.count(), std::memory_order_relaxed);
+    count.fetch_add(static_cast<int>(batch.of_library.count()), std::memory_order_relaxed);
   });
   left_to_bullet_.clear();
-  for (std::size_t i = 0; i < registry_.bodies().size() && count < registry_.bodies().size(); ++i) {
-    const BodyRegistry::Lane place = registry_.lane_at(i);
-    if (place.batch == nullptr || !place.batch->of_library[place.lane])
-      left_to_bullet_.push_back(registry_.bodies()[i]);
+  for (int i = 0; i < bodies().size() && count < bodies().size(); ++i) {
+    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), *bodies()[i]);
+    if (place.batch == nullptr || !place.batch->of_library[place.lane]) left_to_bullet_.push_back(i);
   }
   run_for(left_to_bullet_, bodies(), bullet);
+  return true;
 }
 
 void WorldStepper::predict_unconstrained_motion(btScalar dt, const BulletsStage& bullet) {
   synchronize();
   some_may_be_clamped_ = false;
-  share_with_bullet(
+  const bool is_shared = share_with_bullet(
       dt, prefetch_for_prediction,
       [this](Batch& batch, const StepContext& context) {
         const LaneBits lanes = predict(batch, context);
@@ -237,6 +273,9 @@ void WorldStepper::predict_unconstrained_motion(btScalar dt, const BulletsStage&
         return lanes;
       },
       bullet);
+  if (is_shared) return;
+  for (Batch* batch : registry_.batches()) batch->may_be_clamped = ~LaneBits();
+  some_may_be_clamped_ = true;
 }
 
 // Right after predict_unconstrained_motion.
@@ -254,11 +293,7 @@ void WorldStepper::create_predictive_contacts(btScalar dt, const BulletsStage& b
 void WorldStepper::before_solve() noexcept {
   if (world_ == nullptr || !claim_.holds()) return;
   synchronize();
-  if (choices_.changed()) {
-    const std::unordered_set<const btRigidBody*> present(registry_.bodies().begin(),
-                                                         registry_.bodies().end());
-    choices_.keep_only([&](const btRigidBody* body) { return present.count(body) != 0; });
-  }
+  forget_choices_of_gone();
   find_constrained_bodies(*world_, is_constrained_);
   const btScalar dt = world_->getDispatchInfo().m_timeStep;
   const auto before_solve_of = [](Batch& batch, const StepContext& context) {
@@ -266,11 +301,30 @@ void WorldStepper::before_solve() noexcept {
   };
   has_replaced_bodies_ = registry_.has_replaced_bodies_left_to_bullet();
   for_batches(dt, prefetch_for_solve, before_solve_of);
-  if (has_replaced_bodies_) {
-    registry_.apply_choices(choices_);
+  if (has_replaced_bodies_ && apply_choices_if_possible())
     for_batches(dt, prefetch_for_solve, before_solve_of);
-  }
   forget_contacts_of_sanitized();
+}
+
+// The next step will do as well.
+void WorldStepper::forget_choices_of_gone() noexcept {
+  if (!choices_.changed()) return;
+  try {
+    const std::unordered_set<const btRigidBody*> present(registry_.bodies().begin(),
+                                                         registry_.bodies().end());
+    choices_.keep_only([&](const btRigidBody* body) { return present.count(body) != 0; });
+  } catch (const std::bad_alloc&) {
+  }
+}
+
+// Bodies that have replaced others are left to Bullet until it is.
+bool WorldStepper::apply_choices_if_possible() noexcept {
+  try {
+    registry_.apply_choices(choices_);
+    return true;
+  } catch (const std::bad_alloc&) {
+    return false;
+  }
 }
 
 void WorldStepper::after_integration(btScalar dt) noexcept {
@@ -296,8 +350,8 @@ void WorldStepper::integrate_transforms(btScalar dt, const BulletsStage& bullet)
     after_solve(batch, lanes, PoseIntegratedBy::library, context);
     return lanes;
   };
-  share_with_bullet(dt, prefetch_for_integration, integrate, bullet);
-  if (left_to_bullet_.empty()) {
+  const bool is_shared = share_with_bullet(dt, prefetch_for_integration, integrate, bullet);
+  if (is_shared && left_to_bullet_.empty()) {
     report();
   } else {
     after_integration(dt);
@@ -346,32 +400,47 @@ void WorldStepper::forget_contacts_of_sanitized() {
 void WorldStepper::report() {
   if (!has_incident_) return;
   has_incident_ = false;
-  std::vector<Incident> list;
   for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
     const BodyRegistry::Lane place = registry_.lane_at(i);
     if (place.batch == nullptr) continue;
-    btRigidBody& body = *registry_.bodies()[i];
-    for (const IncidentKind kind : {IncidentKind::non_finite_body, IncidentKind::scheme_diverged}) {
+    for (const IncidentKind kind : kKindsInOrder) {
       LaneBits& to_report = place.batch->to_report[static_cast<std::size_t>(kind)];
-      LaneBits& reported = place.batch->reported[static_cast<std::size_t>(kind)];
+      const LaneBits& reported = place.batch->reported[static_cast<std::size_t>(kind)];
       if (!to_report[place.lane]) continue;
-      to_report.reset(place.lane);
       ++incidents;
-      if (kind == IncidentKind::non_finite_body) forget_contacts(*world_->getDispatcher(), body);
-      if (!handler || reported[place.lane]) continue;
-      reported.set(place.lane);
-      list.push_back({kind, &body, place.batch->steps[place.lane]});
+      if (kind == IncidentKind::non_finite_body)
+        forget_contacts(*world_->getDispatcher(), *registry_.bodies()[i]);
+      if (handler == nullptr || reported[place.lane]) to_report.reset(place.lane);
     }
   }
-  const IncidentHandler present_handler = handler;
-  for (const Incident& incident : list) {
-    // An earlier call may have taken the body out of the world, and deleted it.
-    if (bodies().findLinearSearch(incident.body) == bodies().size()) continue;
-    try {
-      present_handler(incident);
-    } catch (...) {  // nothing may be thrown through Bullet's step
+  if (handler != nullptr) tell_handler();
+}
+
+// Goes through the bodies themselves: a list of the incidents would take memory.
+void WorldStepper::tell_handler() {
+  const std::shared_ptr<const IncidentHandler> present_handler = handler;
+  for (std::size_t i = 0; i < registry_.bodies().size();) {
+    const std::uint64_t changes = registry_.changes();
+    for (const IncidentKind kind : kKindsInOrder) {
+      if (registry_.changes() == changes) tell_of(i, kind, *present_handler);
     }
+    i = registry_.changes() == changes ? i + 1 : 0;  // other bodies may have taken the places before
   }
+}
+
+void WorldStepper::tell_of(std::size_t index, IncidentKind kind, const IncidentHandler& present_handler) {
+  const BodyRegistry::Lane place = registry_.lane_at(index);
+  if (place.batch == nullptr || registry_.is_replaced(index)) return;
+  LaneBits& to_report = place.batch->to_report[static_cast<std::size_t>(kind)];
+  if (!to_report[place.lane]) return;
+  to_report.reset(place.lane);
+  place.batch->reported[static_cast<std::size_t>(kind)].set(place.lane);
+  try {
+    present_handler({kind, registry_.bodies()[index], place.batch->steps[place.lane]});
+  } catch (...) {  // nothing may be thrown through Bullet's step
+  }
+  // The handler may have taken bodies out of the world, and deleted them, or detached the plugin.
+  if (claim_.holds()) synchronize();
 }
 
 }  // namespace POLHODE_PRECISION

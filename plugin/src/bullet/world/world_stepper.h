@@ -6,6 +6,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "bullet/batch/step_context.h"
@@ -23,6 +24,7 @@ class WorldStepper {
   explicit WorldStepper(btDynamicsWorld& world);
 
   /// @name For RotationControl
+  /// What throws std::bad_alloc leaves everything as it was, except that a failed attach wants a detach.
   /// @{
   void attach();
   void detach();
@@ -38,7 +40,8 @@ class WorldStepper {
   /// @}
 
   /// @name The stages of a step, in order
-  /// `bullet` is what Bullet's own class does in the stage.
+  /// `bullet` is what Bullet's own class does in the stage. Where memory is short they leave to Bullet what
+  /// they cannot do.
   /// @{
   using BulletsStage = std::function<void()>;
   void predict_unconstrained_motion(btScalar dt, const BulletsStage& bullet);
@@ -53,23 +56,34 @@ class WorldStepper {
   void show_swollen_bodies();
   /// @}
 
-  IncidentHandler handler;
+  /// Shared, since it may be replaced while it runs. Null: none.
+  std::shared_ptr<const IncidentHandler> handler;
   std::uint64_t incidents = 0;
 
  private:
   BodyRegistry::Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
-  void synchronize();
-  void restart(btRigidBody& body);
-  BulletTurn& bullet_of_this_thread();
+  void synchronize() noexcept;
+  /// Takes the memory that a step of all these bodies wants, but for what the first one in a joint or a contact
+  /// takes.
+  /// @throws std::bad_alloc
+  void synchronize_all();
+  void restart(btRigidBody& body, const SchemePointer& scheme);
+  /// Null if there is no memory for one.
+  BulletTurn* bullet_of_this_thread() noexcept;
   /// function(batch, context) for each batch, on all threads; prefetch_batch(batch) for the next one.
   template <class Prefetch, class Function>
   void for_batches(btScalar dt, const Prefetch& prefetch_batch, const Function& function);
   /// lanes = function(batch, context) are the library's in this stage: Bullet's loop skips their bodies.
+  /// Returns false if function was not called, for want of memory: then Bullet's loop runs over all bodies.
   template <class Prefetch, class Function>
-  void share_with_bullet(btScalar dt, const Prefetch& prefetch_batch, const Function& function,
+  bool share_with_bullet(btScalar dt, const Prefetch& prefetch_batch, const Function& function,
                          const BulletsStage& bullet);
+  void forget_choices_of_gone() noexcept;
+  bool apply_choices_if_possible() noexcept;
   void forget_contacts_of_sanitized();
   void report();
+  void tell_handler();
+  void tell_of(std::size_t index, IncidentKind kind, const IncidentHandler& present_handler);
 
   btDiscreteDynamicsWorld* world_;
   WorldClaim claim_;
@@ -77,7 +91,9 @@ class WorldStepper {
   BodyRegistry registry_;
   std::vector<char> is_constrained_;  // by btCollisionObject::getWorldArrayIndex
   std::array<std::unique_ptr<BulletTurn>, BT_MAX_THREAD_COUNT> bullet_of_threads_;
-  std::vector<btRigidBody*> left_to_bullet_;  // in the present stage
+  BulletTurn spare_bullet_;  // of threads that have none, one at a time
+  std::mutex spare_mutex_;
+  std::vector<int> left_to_bullet_;  // places in the world's list, in the present stage
   // Set from all threads.
   std::atomic<bool> some_may_be_clamped_{false};
   std::atomic<bool> has_incident_{false};
