@@ -8,9 +8,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fuzz/bytes.h"
+#include "fuzz/fail.h"
 #include "fuzz/world/operation.h"
 #include "fuzz/world/side.h"
 #include "support/same_bits.h"
