@@ -200,11 +200,16 @@ void Batch::sanitize(std::size_t lane) {
   note(lane, IncidentKind::non_finite_body);
 }
 
-void show(const Batch& batch, std::size_t lane, btRigidBody& body) {
+void show(const Batch& batch, std::size_t lane, btRigidBody& body, btTransform pose) {
   btMotionState* motion_state = body.getMotionState();
   if (motion_state == nullptr || !body.isActive() || body.isStaticOrKinematicObject()) return;
-  btTransform pose = body.getInterpolationWorldTransform();
-  if (!batch.keeps_rotation && !batch.diverged[lane]) pose.setBasis(to_bullet(batch.state(lane).R_WB));
+  if (!batch.keeps_rotation && !batch.diverged[lane]) {
+    const btMatrix3x3& basis_at_end = body.getInterpolationWorldTransform().getBasis();
+    Matrix3 R_WB = batch.state(lane).R_WB;
+    if (!same(pose.getBasis(), basis_at_end))
+      R_WB = to_double(pose.getBasis()) * to_double(basis_at_end).transpose() * R_WB;
+    pose.setBasis(to_bullet(R_WB));
+  }
   motion_state->setWorldTransform(pose);
 }
 
