@@ -74,7 +74,8 @@ class RotationControl {
   /// Returns true if the library rotates this body: it is in the world, dynamic at present, and has a scheme.
   bool manages(const btRigidBody& body) const;
   /// Returns the body's present rotation: the library's double state if the body is bit for bit as the last
-  /// step left it, else the body's own values.
+  /// step left it, else the body's own values. A velocity whose momentum or energy is past the largest double
+  /// counts as 0; in its next step such a body has diverged.
   /// @throws std::invalid_argument if the body is not managed.
   BodyRotation rotation_of(const btRigidBody& body) const;
   std::size_t managed_bodies() const;

@@ -1,5 +1,6 @@
 #include "bullet/batch/batch.h"
 
+#include <cmath>
 #include <utility>
 
 #include "bullet/body/external_changes.h"
@@ -163,6 +164,8 @@ WideState Batch::wide_state() const {
 BodyRotation Batch::rotation(std::size_t lane) const {
   RotationState now = state(lane);
   if (!diverged[lane] && is_finite(*bodies[lane])) adopt_external_changes(*this, lane, now);
+  // With a velocity or moment near the largest double, L or the energy overflows: the next step stops the body.
+  if (!std::isfinite(now.energy())) now.omega_W = now.L_W = Vector3::Zero();
   return {now, now.energy(), steps[lane], unresolved_steps[lane], diverged[lane], scheme->description().name};
 }
 
