@@ -346,6 +346,24 @@ TYPED_TEST(Overflow, OfABodyThatIsSwitchedOffIsTakenOutInTheSameStep) {
   EXPECT_GE(scene.rotation().incidents(), 1u);
 }
 
+// What is given to the solver is what a body is set back to: it is finite, however long the step.
+TYPED_TEST(Overflow, OfALockedBodysFreeTurnIsNotGivenToTheSolver) {
+  const btScalar huge = std::numeric_limits<btScalar>::max();
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    for (const btVector3& factor : {btVector3(1, 0, 0), btVector3(1, 1, 0)}) {
+      SCOPED_TRACE(scheme->description().name);
+      TypeParam scene;
+      btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
+      scene.rotation().set_scheme(body, scheme);
+      body.setAngularFactor(factor);
+      body.setAngularVelocity(btVector3(20, 15, 19));
+      scene.world().stepSimulation(huge, 1, huge);
+      EXPECT_TRUE(is_finite(body));
+      EXPECT_TRUE(scene.rotation().rotation_of(body).state.all_finite());
+    }
+  }
+}
+
 // A step in which a body diverges is none of its steps, though it was given to the solver unresolved.
 TYPED_TEST(Overflow, InAnUnresolvedStepCountsAsNoStep) {
   TypeParam scene;

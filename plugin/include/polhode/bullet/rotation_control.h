@@ -41,8 +41,9 @@ class RotationWorld;
 /// Every dynamic body has the world's default scheme unless it was told otherwise. A body's choice lasts
 /// until it is absent from the world during a step; it survives being removed and added again between two
 /// steps. Outside a step bodies are as the application left them: their gyroscopic flags are cleared within
-/// the step only, so that the term does not count twice. Not thread-safe: call it from where you call
-/// stepSimulation.
+/// the step only, so that the term does not count twice. Soft bodies push rigid ones when these have taken
+/// their step: the next step takes it as a change by the application. Not thread-safe: call it from where you
+/// call stepSimulation.
 class RotationControl {
  public:
   ~RotationControl();
