@@ -31,6 +31,7 @@ Limits read_limits(Bytes& bytes) {
   limits.continuous_collision = (byte & 4U) != 0;
   limits.contact_callbacks = (byte & 8U) != 0;
   limits.managed = (byte & 48U) != 48U;
+  limits.world_kind = static_cast<WorldKind>((byte >> 6U) % static_cast<unsigned>(WorldKind::count));
   return limits;
 }
 

@@ -6,17 +6,19 @@
 
 namespace polhode::fuzz {
 
+std::string text(const btVector3& v) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) text += ' ' + std::to_string(v[i]);
+  return text + ';';
+}
+
 std::string numbers(const btRigidBody& body) {
   std::string numbers;
-  const auto append = [&numbers](const btVector3& v) {
-    for (int i = 0; i < 3; ++i) numbers += ' ' + std::to_string(v[i]);
-    numbers += ';';
-  };
-  for (int row = 0; row < 3; ++row) append(body.getWorldTransform().getBasis()[row]);
-  append(body.getWorldTransform().getOrigin());
-  append(body.getLinearVelocity());
-  append(body.getAngularVelocity());
-  for (int row = 0; row < 3; ++row) append(body.getInvInertiaTensorWorld()[row]);
+  for (int row = 0; row < 3; ++row) numbers += text(body.getWorldTransform().getBasis()[row]);
+  numbers += text(body.getWorldTransform().getOrigin());
+  numbers += text(body.getLinearVelocity());
+  numbers += text(body.getAngularVelocity());
+  for (int row = 0; row < 3; ++row) numbers += text(body.getInvInertiaTensorWorld()[row]);
   return numbers + " activation " + std::to_string(body.getActivationState());
 }
 

@@ -10,6 +10,9 @@
 
 namespace polhode::fuzz {
 
+/// For messages.
+std::string text(const btVector3& v);
+
 /// Pose, velocities and inverse inertia in the world, for messages.
 std::string numbers(const btRigidBody& body);
 
@@ -21,10 +24,12 @@ class ShownPose final : public btMotionState {
   void getWorldTransform(btTransform& start) const override { start = pose; }
   void setWorldTransform(const btTransform& shown) override {
     pose = shown;
+    is_shown = true;
     on_show_();
   }
 
   btTransform pose;
+  bool is_shown = false;
 
  private:
   std::function<void()> on_show_;
@@ -46,7 +51,8 @@ class BodySlot {
   static constexpr int kLimbo = -1;
   int world = kLimbo;
   int flags = 0;                 ///< as the application left them
-  bool left_non_finite = false;  ///< by an operation within the step, after the library was done
+  bool left_non_finite = false;  ///< within the step, after the library was done
+  bool is_finite_at_tick = false;
   std::unique_ptr<ShownPose> motion_state;
 
  private:

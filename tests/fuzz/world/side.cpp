@@ -43,7 +43,7 @@ Side::~Side() {
 }
 
 void Side::make_world(std::size_t index) {
-  worlds_[index] = std::make_unique<World>(way_, [this] { in_step(Place::action); });
+  worlds_[index] = std::make_unique<World>(way_, limits_.world_kind, [this] { in_step(Place::action); });
   World& made = *worlds_[index];
   made.world->setInternalTickCallback(before_tick, this, true);
   made.world->setInternalTickCallback(after_tick, this, false);
@@ -81,7 +81,10 @@ void Side::forget_choices_of_absent(std::size_t world) {
 
 void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
   if (!is_in_step_) return;
-  if (place == Place::after) has_taken_step_ = true;
+  if (place == Place::after) {
+    has_taken_step_ = true;
+    for (BodySlot& slot : slots_) slot.is_finite_at_tick = slot.body() != nullptr && is_finite(*slot.body());
+  }
   // By index: an operation may come back to here through a motion state.
   for (std::size_t i = 0; i < script_.size(); ++i) {
     if (script_[i].place != place || script_[i].kind == Kind::step) continue;
@@ -92,6 +95,7 @@ void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
       operation.slot = static_cast<std::size_t>(body->getUserIndex());
     }
     script_[i].kind = Kind::step;  // once a step
+    if (place == Place::motion_state) has_acted_in_motion_state_ = true;
     apply(operation);
     BodySlot& slot = slots_[operation.slot];
     if (slot.body() != nullptr && place != Place::before && place != Place::contact &&
@@ -103,7 +107,11 @@ void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
 
 void Side::step(const Operation& operation, const std::vector<Operation>& script) {
   if (worlds_[operation.world] == nullptr) make_world(operation.world);
-  for (BodySlot& slot : slots_) slot.left_non_finite = false;
+  for (BodySlot& slot : slots_) {
+    slot.left_non_finite = false;
+    if (slot.motion_state != nullptr) slot.motion_state->is_shown = false;
+  }
+  has_acted_in_motion_state_ = false;
   script_ = script;
   stepped_ = operation.world;
   is_in_step_ = true;

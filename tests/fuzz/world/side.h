@@ -60,6 +60,7 @@ class Side {
   bool is_expected_to_be_managed(std::size_t world, std::size_t slot) const;
   void forget_choices_of_absent(std::size_t world);
   void check_body(std::size_t world, std::size_t index);
+  void check_motion_state(const World& world, std::size_t index);
 
   Way way_;
   Limits limits_;
@@ -74,6 +75,7 @@ class Side {
   std::size_t stepped_ = 0;
   bool is_in_step_ = false;
   bool has_taken_step_ = false;
+  bool has_acted_in_motion_state_ = false;
   bool has_seen_non_finite_ = false;
 };
 

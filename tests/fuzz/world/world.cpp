@@ -1,8 +1,10 @@
 #include "fuzz/world/world.h"
 
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+#include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 
 #include "polhode/bullet/rotation_world.h"
+#include "support/scene.h"
 
 namespace polhode::fuzz {
 
@@ -16,20 +18,49 @@ btDefaultCollisionConstructionInfo small_pools() {
   return info;
 }
 
+// Bullet's classes have no accessors for these.
+struct Times : btDiscreteDynamicsWorld {
+  static constexpr auto kLocal = &Times::m_localTime;
+  static constexpr auto kFixedStep = &Times::m_fixedTimeStep;
+};
+
 }  // namespace
 
-World::World(Way way, std::function<void()> act) : configuration(small_pools()), action(std::move(act)) {
+template <class Base>
+void World::make(Way way) {
+  if (solver == nullptr) solver = testing::make_solver<Base>();
   if (way == Way::rotation_world) {
-    auto made = std::make_unique<RotationWorld<btDiscreteDynamicsWorld>>(&dispatcher, &broadphase, &solver,
-                                                                         &configuration);
+    auto made =
+        testing::make_world<RotationWorld<Base>>(&dispatcher, &broadphase, solver.get(), &configuration);
     rotation = &made->rotation();
     world = std::move(made);
   } else {
-    world = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher, &broadphase, &solver, &configuration);
+    world = testing::make_world<Base>(&dispatcher, &broadphase, solver.get(), &configuration);
   }
   if (way == Way::plugin) {
     plugin = std::make_unique<RotationPlugin>(*world);
     rotation = &plugin->rotation();
+  }
+}
+
+World::World(Way way, WorldKind kind, std::function<void()> act)
+    : configuration(small_pools()), action(std::move(act)) {
+  switch (kind) {
+    case WorldKind::soft_rigid:
+      make<btSoftRigidDynamicsWorld>(way);
+      rope.hang(static_cast<btSoftRigidDynamicsWorld&>(*world));
+      break;
+    case WorldKind::multi_body:
+      make<btMultiBodyDynamicsWorld>(way);
+      pendulum.hang(static_cast<btMultiBodyDynamicsWorld&>(*world));
+      break;
+    case WorldKind::mlcp:
+      solver = std::make_unique<btMLCPSolver>(&direct_solver);
+      make<btDiscreteDynamicsWorld>(way);
+      world->getSolverInfo().m_minimumSolverBatchSize = 1;  // each island by itself, as Bullet recommends
+      break;
+    default:
+      make<btDiscreteDynamicsWorld>(way);
   }
   world->addAction(&action);
 }
@@ -47,6 +78,14 @@ std::vector<std::pair<int, int>> World::pairs() const {
   for (int i = 0; i < found.size(); ++i)
     pairs.emplace_back(index_of(found[i].m_pProxy0), index_of(found[i].m_pProxy1));
   return pairs;
+}
+
+// As in btDiscreteDynamicsWorld::synchronizeSingleMotionState.
+btScalar World::interpolation_time(const btRigidBody& body) const {
+  const btScalar local = (*world).*Times::kLocal;
+  const btScalar fixed_step = (*world).*Times::kFixedStep;
+  return world->getLatencyMotionStateInterpolation() && fixed_step != 0 ? local - fixed_step
+                                                                        : local * body.getHitFraction();
 }
 
 void World::set(const Operation& settings) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
+#include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
 #include <btBulletDynamicsCommon.h>
 
 #include <cstdint>
@@ -8,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "fuzz/world/furniture.h"
 #include "fuzz/world/operation.h"
 #include "polhode/bullet/rotation_control.h"
 #include "polhode/bullet/rotation_plugin.h"
@@ -29,7 +32,7 @@ class ScriptedAction final : public btActionInterface {
 
 /// A world of Bullet's, rotated in one of the ways, with all that it stands on.
 struct World {
-  World(Way way, std::function<void()> act);
+  World(Way way, WorldKind kind, std::function<void()> act);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -39,17 +42,26 @@ struct World {
   /// The user indices of the bodies in each overlapping pair, in Bullet's order.
   std::vector<std::pair<int, int>> pairs() const;
   void set(const Operation& settings);
+  /// How far Bullet integrates the pose of a body for its motion state.
+  btScalar interpolation_time(const btRigidBody& body) const;
 
-  btDefaultCollisionConfiguration configuration;
+  btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  btSequentialImpulseConstraintSolver solver;
+  btDantzigSolver direct_solver;  // of an MLCP solver
+  std::unique_ptr<btConstraintSolver> solver;
+  Rope rope;
+  Pendulum pendulum;
   ScriptedAction action;
   std::unique_ptr<btDiscreteDynamicsWorld> world;
   RotationControl* rotation = nullptr;
   std::unique_ptr<RotationPlugin> plugin;
   std::uint64_t incidents = 0;  ///< at the last check
   std::uint64_t reports = 0;    ///< that the incident handler has got
+
+ private:
+  template <class Base>
+  void make(Way way);
 };
 
 }  // namespace polhode::fuzz
