@@ -97,7 +97,8 @@ void World::set(const Operation& settings) {
   world->setLatencyMotionStateInterpolation(variant % 5 != 0);
   world->setSynchronizeAllMotionStates(variant % 7 == 0);
   world->setApplySpeculativeContactRestitution(variant % 11 == 0);
-  world->getSimulationIslandManager()->setSplitIslands(variant % 13 != 0);
+  // Without islands Bullet's own multibody world reads a null pointer.
+  world->getSimulationIslandManager()->setSplitIslands(variant % 13 != 0 || pendulum.body != nullptr);
 }
 
 }  // namespace polhode::fuzz
