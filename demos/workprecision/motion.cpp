@@ -8,15 +8,6 @@
 
 namespace polhode::demos {
 
-namespace {
-
-// Judges a body as the library does; a figure of the motion needs its energy too.
-bool is_sound(const RotationState& state) {
-  return within_limits(state) && std::isfinite(state.energy());
-}
-
-}  // namespace
-
 Motion follow(Kernel& kernel, std::int64_t steps) {
   Motion motion;
   kernel.restart();
@@ -25,7 +16,7 @@ Motion follow(Kernel& kernel, std::int64_t steps) {
     throw_if_interrupted();
     kernel.run(1);
     const RotationState state = kernel.state();
-    if (!is_sound(state)) {
+    if (!within_limits(state)) {
       motion.diverged = true;
       return motion;
     }

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <stdexcept>
+#include <string>
 
-#include "fuzz/temporary_file.h"
+#include "demos/support_files.h"
 #include "scenario/json_file.h"
 #include "viewer/model/recording.h"
 #include "viewer/model/session.h"
@@ -32,8 +34,10 @@ void replay(const std::filesystem::path& file) {
 }  // namespace polhode::demos
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const polhode::fuzz::TemporaryFile file;
-  file.write(data, size);
-  polhode::demos::replay(file.path());
+  using namespace polhode::demos;
+  static const TemporaryDirectory directory;
+  const std::filesystem::path file = directory / "recording";
+  write_file(file, std::string(reinterpret_cast<const char*>(data), size));
+  replay(file);
   return 0;
 }

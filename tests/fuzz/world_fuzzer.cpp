@@ -8,9 +8,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "fuzz/bytes.h"
+#include "fuzz/fail.h"
 #include "fuzz/world/operation.h"
 #include "fuzz/world/side.h"
 #include "support/same_bits.h"
@@ -29,6 +31,7 @@ Limits read_limits(Bytes& bytes) {
   limits.continuous_collision = (byte & 4U) != 0;
   limits.contact_callbacks = (byte & 8U) != 0;
   limits.managed = (byte & 48U) != 48U;
+  limits.world_kind = static_cast<WorldKind>((byte >> 6U) % static_cast<unsigned>(WorldKind::count));
   return limits;
 }
 

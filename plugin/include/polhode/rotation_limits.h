@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "polhode/rotation_state.h"
 
 namespace polhode {
@@ -20,7 +22,7 @@ inline bool within_limits(const RotationState& state) {
   // Written so that NaN is not within the limits.
   return state.omega_W.squaredNorm() <= kMaximumAngularSpeed * kMaximumAngularSpeed &&
          state.R_WB.colwise().squaredNorm().maxCoeff() <= kMaximumSwelling * kMaximumSwelling &&
-         state.all_finite();
+         state.all_finite() && std::isfinite(state.energy());
 }
 
 }  // namespace polhode

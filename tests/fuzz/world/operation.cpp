@@ -14,8 +14,7 @@ using Numbers = std::numeric_limits<btScalar>;
 btScalar read_scalar(Bytes& bytes, const Limits& limits) {
   const std::uint8_t kind = bytes.byte();
   if (kind < 224) return static_cast<btScalar>((kind < 100 ? 2 : 30) * bytes.unit());
-  // In double too: a momentum near the largest double overflows, since the library has nothing wider.
-  const btScalar largest = std::numeric_limits<float>::max();
+  const btScalar largest = Numbers::max();
   const btScalar special[] = {0,
                               1,
                               -1,

@@ -70,6 +70,9 @@ struct Operation {
   Place place = Place::before;  ///< of within_step
 };
 
+/// The class of Bullet's worlds, or a discrete world with an MLCP solver.
+enum class WorldKind : std::uint8_t { discrete, soft_rigid, multi_body, mlcp, count };
+
 /// What the operations of an input may do. The fewer, the more can be checked.
 struct Limits {
   bool non_finite = false;
@@ -77,6 +80,7 @@ struct Limits {
   bool continuous_collision = false;
   bool contact_callbacks = false;
   bool managed = true;  ///< else every body is Bullet's
+  WorldKind world_kind = WorldKind::discrete;
 };
 
 Operation read_operation(Bytes& bytes, const Limits& limits);

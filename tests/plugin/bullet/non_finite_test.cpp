@@ -10,6 +10,7 @@
 #include "polhode/bullet/rotation_plugin.h"
 #include "polhode/bullet/rotation_world.h"
 #include "support/both_ways.h"
+#include "support/precision.h"
 #include "support/scene.h"
 
 namespace polhode::testing {
@@ -257,6 +258,123 @@ TYPED_TEST(Overflow, OfADivergedBodyIsTakenOutInTheSameStep) {
     EXPECT_TRUE(is_finite(body)) << i;
   }
   EXPECT_TRUE(scene.rotation().rotation_of(body).diverged);
+}
+
+// In double precision L = I omega is past the largest double: the body counts as at rest, and a step stops it.
+TYPED_TEST(Overflow, OfTheMomentumStopsTheBodyAsADivergedOne) {
+  const btScalar huge = std::numeric_limits<btScalar>::max();
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    for (const btVector3& omega_W : {btVector3(huge, 0, 0), btVector3(huge, huge, -huge)}) {
+      for (const bool is_new : {true, false}) {
+        SCOPED_TRACE(scheme->description().name);
+        TypeParam scene;
+        btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+        scene.rotation().set_scheme(body, scheme);
+        if (!is_new) scene.step(kDt, 3);
+        body.setAngularVelocity(omega_W);
+        const auto expect_finite = [&] {
+          const BodyRotation rotation = scene.rotation().rotation_of(body);
+          EXPECT_TRUE(rotation.state.all_finite());
+          EXPECT_TRUE(std::isfinite(rotation.energy_J));
+          EXPECT_TRUE(is_finite(body));
+        };
+        expect_finite();
+        scene.step(kDt);
+        expect_finite();
+        EXPECT_TRUE(scene.rotation().rotation_of(body).diverged);
+        EXPECT_EQ(body.getAngularVelocity(), btVector3(0, 0, 0));
+        EXPECT_EQ(scene.rotation().incidents(), 1u);
+      }
+    }
+  }
+}
+
+// So is a body with a moment near the largest double, with a velocity that is none too fast.
+TYPED_TEST(Overflow, OfTheEnergyStopsTheBodyAsADivergedOne) {
+  if (!kDoubleBullet) GTEST_SKIP() << "moments of single precision are far from the largest double";
+  const auto huge = static_cast<btScalar>(1e300);
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    SCOPED_TRACE(scheme->description().name);
+    TypeParam scene;
+    btRigidBody& body = scene.add_free(btVector3(huge, huge, huge), btVector3(0, 0, 0));
+    scene.rotation().set_scheme(body, scheme);
+    body.setAngularVelocity(btVector3(0, 0, 100000));
+    EXPECT_TRUE(std::isfinite(scene.rotation().rotation_of(body).energy_J));
+    scene.step(kDt);
+    EXPECT_TRUE(scene.rotation().rotation_of(body).diverged);
+    EXPECT_TRUE(std::isfinite(scene.rotation().rotation_of(body).energy_J));
+  }
+}
+
+// Bullet wakes a body of an island that is awake right before it solves, when the library's step has begun
+// without the body: Bullet's integration alone moves it.
+TYPED_TEST(Overflow, OfABodyThatBulletWakesInTheStepIsTakenOutInTheSameStep) {
+  TypeParam scene;
+  btRigidBody& awake = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
+  btRigidBody& asleep = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
+  // Their boxes overlap, which makes them one island; a sphere's does not reach into the other's corner.
+  btCollisionShape& ball = scene.template shape<btSphereShape>(1);
+  for (btRigidBody* body : {&awake, &asleep}) body->setCollisionShape(&ball);
+  asleep.setCenterOfMassTransform(
+      btTransform(btQuaternion::getIdentity(),
+                  awake.getWorldTransform().getOrigin() + btVector3(1, 1, 1) * btScalar(1.5)));
+  scene.step(kDt, 2);
+  asleep.forceActivationState(ISLAND_SLEEPING);
+  asleep.applyCentralForce(btVector3(0, std::numeric_limits<btScalar>::max(), 0));
+  scene.world().stepSimulation(10, 0);
+  EXPECT_NE(asleep.getActivationState(), ISLAND_SLEEPING);
+  EXPECT_TRUE(is_finite(asleep));
+  EXPECT_TRUE(is_finite(awake));
+  EXPECT_EQ(scene.rotation().incidents(), 1u);
+}
+
+// The solver reaches a body that Bullet or the application has switched off, too, though it takes no step.
+TYPED_TEST(Overflow, OfABodyThatIsSwitchedOffIsTakenOutInTheSameStep) {
+  TypeParam scene;
+  const btScalar huge = std::numeric_limits<btScalar>::max();
+  btRigidBody& on = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  btRigidBody& off = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+  scene.template join<btPoint2PointConstraint>(on, off, btVector3(5, 0, 0), btVector3(-5, 0, 0));
+  scene.step(kDt, 2);
+  off.forceActivationState(DISABLE_SIMULATION);
+  on.setLinearVelocity(btVector3(huge, huge, huge));
+  for (int i = 0; i < 3; ++i) {
+    scene.step(kDt);
+    EXPECT_TRUE(is_finite(on)) << i;
+    EXPECT_TRUE(is_finite(off)) << i;
+  }
+  EXPECT_GE(scene.rotation().incidents(), 1u);
+}
+
+// What is given to the solver is what a body is set back to: it is finite, however long the step.
+TYPED_TEST(Overflow, OfALockedBodysFreeTurnIsNotGivenToTheSolver) {
+  const btScalar huge = std::numeric_limits<btScalar>::max();
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    for (const btVector3& factor : {btVector3(1, 0, 0), btVector3(1, 1, 0)}) {
+      SCOPED_TRACE(scheme->description().name);
+      TypeParam scene;
+      btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
+      scene.rotation().set_scheme(body, scheme);
+      body.setAngularFactor(factor);
+      body.setAngularVelocity(btVector3(20, 15, 19));
+      scene.world().stepSimulation(huge, 1, huge);
+      EXPECT_TRUE(is_finite(body));
+      EXPECT_TRUE(scene.rotation().rotation_of(body).state.all_finite());
+    }
+  }
+}
+
+// A step in which a body diverges is none of its steps, though it was given to the solver unresolved.
+TYPED_TEST(Overflow, InAnUnresolvedStepCountsAsNoStep) {
+  TypeParam scene;
+  btRigidBody& body = scene.add_free(btVector3(1, 10, 10), btVector3(0, 0, 0));
+  scene.template join<btPoint2PointConstraint>(body, btVector3(0, 0, 0));
+  body.setAngularVelocity(btVector3(1, 2, 2) * btScalar(1e9));
+  scene.step(kDt);
+  const BodyRotation rotation = scene.rotation().rotation_of(body);
+  EXPECT_TRUE(rotation.diverged);
+  EXPECT_EQ(rotation.steps, 0u);
+  EXPECT_EQ(rotation.unresolved_steps, 0u);
 }
 
 TEST(StepOfNanSeconds, LeavesEveryBodyFinite) {

@@ -65,6 +65,38 @@ TEST(SwellingInARotationWorld, IsSeenInTheMotionState) {
   EXPECT_TRUE(same(shown, to_bullet(scene.rotation().rotation_of(body).state.R_WB)));
 }
 
+// Between two steps a motion state is shown where the body is at that time, like those of all other bodies.
+TEST(SwellingInARotationWorld, IsShownBetweenTwoStepsWhereBulletShowsIt) {
+  for (const bool is_interpolated : {false, true}) {
+    InRotationWorld scene;
+    scene.world().setLatencyMotionStateInterpolation(is_interpolated);
+    btDefaultMotionState swollen_state;
+    btDefaultMotionState rigid_state(btTransform(btQuaternion::getIdentity(), vector(0, 0, 10)));
+    const auto add = [&scene](btMotionState& motion_state) -> btRigidBody& {
+      btRigidBody& body = scene.add(1, btVector3(1, 1, 1), btTransform::getIdentity(),
+                                    scene.box(btVector3(1, 1, 1)), &motion_state);
+      body.setAngularVelocity(vector(0, 0, 16));
+      body.setLinearVelocity(vector(64, 0, 0));
+      return body;
+    };
+    btRigidBody& swollen = add(swollen_state);
+    add(rigid_state);
+    scene.rotation().set_scheme(swollen, "matrix");
+    for (int i = 0; i < 5; ++i) scene.world().stepSimulation(kDt / 2, 5, kDt);
+    const double time_beside_step = is_interpolated ? -0.5 : 0.5;
+    EXPECT_NEAR(rigid_state.m_graphicsWorldTrans.getOrigin().x(), 2 + time_beside_step, 1e-6);
+    EXPECT_EQ(swollen_state.m_graphicsWorldTrans.getOrigin().x(),
+              rigid_state.m_graphicsWorldTrans.getOrigin().x());
+    const RotationState state = scene.rotation().rotation_of(swollen).state;
+    const Matrix3 shown = to_double(swollen_state.m_graphicsWorldTrans.getBasis());
+    EXPECT_NEAR(shown.determinant(), state.R_WB.determinant(), by_precision(1e-6, 1e-14));
+    // `matrix` turns by the angle whose tangent is omega dt; Bullet interpolates by omega
+    const double angle = 2 * std::atan(0.25) + time_beside_step * std::atan(0.25);
+    const double shown_angle = std::atan2(shown(1, 0), shown(0, 0));
+    EXPECT_NEAR(shown_angle, angle, 0.01);
+  }
+}
+
 // Dropped while it swells, it comes to rest on the floor like the body that it was.
 TYPED_TEST(Swelling, LeavesContactsAlive) {
   this->scene_.world().setGravity(btVector3(0, 0, -10));

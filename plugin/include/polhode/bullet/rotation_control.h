@@ -41,8 +41,9 @@ class RotationWorld;
 /// Every dynamic body has the world's default scheme unless it was told otherwise. A body's choice lasts
 /// until it is absent from the world during a step; it survives being removed and added again between two
 /// steps. Outside a step bodies are as the application left them: their gyroscopic flags are cleared within
-/// the step only, so that the term does not count twice. Not thread-safe: call it from where you call
-/// stepSimulation.
+/// the step only, so that the term does not count twice. Soft bodies push rigid ones when these have taken
+/// their step: the next step takes it as a change by the application. Not thread-safe: call it from where you
+/// call stepSimulation.
 ///
 /// Out of memory: a function that throws std::bad_alloc has changed nothing. A step throws nothing and goes on.
 /// Bodies that are new to it stay Bullet's until a later step finds the memory, and then start from their
@@ -79,7 +80,8 @@ class RotationControl {
   /// Returns true if the library rotates this body: it is in the world, dynamic at present, and has a scheme.
   bool manages(const btRigidBody& body) const;
   /// Returns the body's present rotation: the library's double state if the body is bit for bit as the last
-  /// step left it, else the body's own values.
+  /// step left it, else the body's own values. A velocity whose momentum or energy is past the largest double
+  /// counts as 0; in its next step such a body has diverged.
   /// @throws std::invalid_argument if the body is not managed.
   BodyRotation rotation_of(const btRigidBody& body) const;
   std::size_t managed_bodies() const;

@@ -40,7 +40,8 @@ class RotationPlugin final {
   /// Do not call it within a step: the action after the plugin's would be skipped.
   void detach();
   /// Attaches again to the same world. Does nothing if attached.
-  /// @throws std::invalid_argument as the constructor; std::logic_error if the world is gone.
+  /// @throws std::invalid_argument as the constructor; std::logic_error if the world is gone. A plugin is told
+  /// of its world's end while it is attached only: do not attach to a world that has gone since detach().
   void attach();
   /// Returns true while bodies are rotated by their schemes.
   bool attached() const;

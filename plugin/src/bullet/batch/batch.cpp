@@ -1,5 +1,6 @@
 #include "bullet/batch/batch.h"
 
+#include <cmath>
 #include <utility>
 
 #include "bullet/body/external_changes.h"
@@ -173,6 +174,8 @@ WideState Batch::wide_state() const {
 BodyRotation Batch::rotation(std::size_t lane) const {
   RotationState now = state(lane);
   if (!diverged[lane] && is_finite(*bodies[lane])) adopt_external_changes(*this, lane, now);
+  // With a velocity or moment near the largest double, L or the energy overflows: the next step stops the body.
+  if (!std::isfinite(now.energy())) now.omega_W = now.L_W = Vector3::Zero();
   return {now, now.energy(), steps[lane], unresolved_steps[lane], diverged[lane], scheme->description().name};
 }
 
@@ -210,11 +213,16 @@ void Batch::sanitize(std::size_t lane) {
   note(lane, IncidentKind::non_finite_body);
 }
 
-void show(const Batch& batch, std::size_t lane, btRigidBody& body) {
+void show(const Batch& batch, std::size_t lane, btRigidBody& body, btTransform pose) {
   btMotionState* motion_state = body.getMotionState();
   if (motion_state == nullptr || !body.isActive() || body.isStaticOrKinematicObject()) return;
-  btTransform pose = body.getInterpolationWorldTransform();
-  if (!batch.keeps_rotation && !batch.diverged[lane]) pose.setBasis(to_bullet(batch.state(lane).R_WB));
+  if (!batch.keeps_rotation && !batch.diverged[lane]) {
+    const btMatrix3x3& basis_at_end = body.getInterpolationWorldTransform().getBasis();
+    Matrix3 R_WB = batch.state(lane).R_WB;
+    if (!same(pose.getBasis(), basis_at_end))
+      R_WB = to_double(pose.getBasis()) * to_double(basis_at_end).transpose() * R_WB;
+    pose.setBasis(to_bullet(R_WB));
+  }
   motion_state->setWorldTransform(pose);
 }
 

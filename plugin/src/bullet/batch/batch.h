@@ -128,9 +128,9 @@ Object* make_if_null(std::unique_ptr<Object>& object) noexcept {
   return object.get();
 }
 
-/// Hands the pose to the motion state of a body that moves, with the R_WB that is no rotation if the scheme
-/// keeps one.
-void show(const Batch& batch, std::size_t lane, btRigidBody& body);
+/// Hands the pose, at the end of the step or beside it, to the motion state of a body that moves. Where the
+/// scheme's R_WB is no rotation, it is shown turned by as much.
+void show(const Batch& batch, std::size_t lane, btRigidBody& body, btTransform pose);
 
 /// The body of each of the lanes; `placeholder` in the others.
 BodyPointers body_pointers(const Batch& batch, const LaneBits& lanes, btRigidBody& placeholder);

@@ -16,7 +16,7 @@ void find_within_limits(const WideState& state, LaneBits& result) noexcept {
   // 0 times a finite number is 0, times any other NaN.
   const Wide probe =
       (state.q_WB.coeffs().squaredNorm() + columns2[0] + columns2[1] + columns2[2]) * Wide(0.0) +
-      (state.L_W[0] + state.L_W[1] + state.L_W[2]) * Wide(0.0);
+      Wide(state.omega_W.dot(state.L_W)) * Wide(0.0);
   const Wide longest2 = max(max(columns2[0], columns2[1]), columns2[2]);
   result = ((state.omega_W.squaredNorm() <= Wide(kMaximumAngularSpeed * kMaximumAngularSpeed)) &
             (longest2 <= Wide(kMaximumSwelling * kMaximumSwelling)) & (probe == Wide(0.0)))

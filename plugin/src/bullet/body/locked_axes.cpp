@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "bullet/body/external_changes.h"
+#include "bullet/body/non_finite.h"
 #include "math/mean_angular_velocity.h"
 #include "polhode/bullet/conversions.h"
 #include "polhode/rotation_math.h"
@@ -101,10 +102,15 @@ void give_held(Batch& batch, std::size_t lane, const StepContext& context) {
   btRigidBody& body = *batch.bodies[lane];
   HeldTurn& turn = (*batch.held_turns)[lane];
   turn = free_turn(batch, lane, context);
-  const Vector3 shown_W = to_double(vector_in_lane(batch.written_omega_W, lane));
-  const Vector3 given_W = with_locked_axes_kept(turn.inverse_W, body, shown_W, turn.velocity_W);
-  body.setAngularVelocity(to_bullet(given_W));
-  set_vector_in_lane(lane, body.getAngularVelocity(), batch.written_omega_W);
+  const btVector3 shown_W = vector_in_lane(batch.written_omega_W, lane);
+  btVector3 given_W =
+      to_bullet(with_locked_axes_kept(turn.inverse_W, body, to_double(shown_W), turn.velocity_W));
+  if (!are_finite(given_W)) {  // a step so long that the scheme leaves the finite
+    turn = plain_turn(batch.state(lane), body.getInvInertiaDiagLocal());
+    given_W = shown_W;
+  }
+  body.setAngularVelocity(given_W);
+  set_vector_in_lane(lane, given_W, batch.written_omega_W);
   batch.unresolved.set(lane, !turn.is_resolved);
   if (turn.is_effective) to_bullet(turn.inverse_W, inverse_inertia_tensor_W(body));
 }

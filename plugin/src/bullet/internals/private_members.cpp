@@ -1,5 +1,7 @@
 #include "bullet/internals/private_members.h"
 
+#include <LinearMath/btTransformUtil.h>
+
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -45,6 +47,15 @@ struct World : btDiscreteDynamicsWorld {
   static constexpr auto kShowsAll = &World::m_synchronizeAllMotionStates;
 };
 
+// Motion states lag a step behind by default, so that a pose between two steps is known.
+bool looks_back(const btDiscreteDynamicsWorld& world) {
+  return world.*World::kInterpolates && world.*World::kFixedTimeStep != 0;
+}
+
+btScalar time_beside_step(const btDiscreteDynamicsWorld& world) {
+  return world.*World::kLocalTime - world.*World::kFixedTimeStep;
+}
+
 }  // namespace
 
 int body_identity(const btRigidBody& body) {
@@ -69,10 +80,19 @@ btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world
 
 // btDiscreteDynamicsWorld::synchronizeMotionStates and synchronizeSingleMotionState choose alike.
 bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world) {
-  const btScalar local_time = world.*World::kLocalTime;
-  const btScalar fixed_time_step = world.*World::kFixedTimeStep;
-  const bool looks_back = world.*World::kInterpolates && fixed_time_step != 0;
-  return world.*World::kShowsAll || (looks_back ? local_time != fixed_time_step : local_time != 0);
+  return world.*World::kShowsAll ||
+         (looks_back(world) ? time_beside_step(world) : world.*World::kLocalTime) != 0;
+}
+
+btTransform pose_to_show(const btDiscreteDynamicsWorld& world, const btRigidBody& body) {
+  const btTransform& pose_at_end = body.getInterpolationWorldTransform();
+  const btScalar time =
+      looks_back(world) ? time_beside_step(world) : world.*World::kLocalTime * body.getHitFraction();
+  if (time == 0) return pose_at_end;
+  btTransform pose;
+  btTransformUtil::integrateTransform(pose_at_end, body.getInterpolationLinearVelocity(),
+                                      body.getInterpolationAngularVelocity(), time, pose);
+  return pose;
 }
 
 }  // namespace POLHODE_PRECISION

@@ -42,6 +42,9 @@ btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world
 /// Returns whether synchronizeMotionStates, called now, would show bodies at a time between two steps, or
 /// objects that are not awake as well.
 bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world);
+
+/// The pose that synchronizeSingleMotionState, called now, would show of the body.
+btTransform pose_to_show(const btDiscreteDynamicsWorld& world, const btRigidBody& body);
 /// @}
 
 }  // namespace POLHODE_PRECISION

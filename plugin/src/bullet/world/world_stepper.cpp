@@ -372,7 +372,7 @@ void WorldStepper::synchronize_motion_states(const BulletsStage& bullet) {
     btRigidBody& body = *bodies()[i];
     const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), body);
     if (place.batch != nullptr) {
-      show(*place.batch, place.lane, body);
+      show(*place.batch, place.lane, body, body.getInterpolationWorldTransform());
     } else if (body.isActive()) {
       world_->synchronizeSingleMotionState(&body);
     }
@@ -382,8 +382,10 @@ void WorldStepper::synchronize_motion_states(const BulletsStage& bullet) {
 void WorldStepper::show_swollen_bodies() {
   if (world_ == nullptr || !claim_.holds()) return;
   for (int i = 0; i < bodies().size(); ++i) {
-    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), *bodies()[i]);
-    if (place.batch != nullptr && !place.batch->keeps_rotation) show(*place.batch, place.lane, *bodies()[i]);
+    btRigidBody& body = *bodies()[i];
+    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), body);
+    if (place.batch != nullptr && !place.batch->keeps_rotation)
+      show(*place.batch, place.lane, body, pose_to_show(*world_, body));
   }
 }
 

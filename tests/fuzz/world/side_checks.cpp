@@ -1,0 +1,115 @@
+#include <LinearMath/btTransformUtil.h>
+
+#include <cmath>
+#include <string>
+
+#include "fuzz/fail.h"
+#include "fuzz/world/side.h"
+#include "fuzz/world/usable_numbers.h"
+
+namespace polhode::fuzz {
+
+namespace {
+
+bool keeps_no_rotation(const RotationControl& rotation, const btRigidBody& body) {
+  const SchemePointer scheme = find_scheme(rotation.rotation_of(body).scheme);
+  return scheme->description().rotation == Conservation::lost;
+}
+
+}  // namespace
+
+bool Side::is_expected_to_be_managed(std::size_t world, std::size_t slot) const {
+  const BodySlot& candidate = slots_[slot];
+  if (candidate.body() == nullptr || candidate.world != static_cast<int>(world)) return false;
+  if (!worlds_[world]->is_rotated() || candidate.body()->isStaticOrKinematicObject()) return false;
+  const Choice choice = choices_[world][slot];
+  return choice == Choice::scheme || (choice == Choice::unset && has_default_[world]);
+}
+
+void Side::check(std::size_t world) {
+  World& checked = *worlds_[world];
+  for (std::size_t i = 0; i < kSlots; ++i) {
+    BodySlot& slot = slots_[i];
+    if (slot.body() == nullptr) continue;
+    if (!is_finite(*slot.body())) has_seen_non_finite_ = true;
+    // Soft bodies push rigid ones after the tick callback.
+    if (limits_.world_kind == WorldKind::soft_rigid && slot.is_finite_at_tick && !is_finite(*slot.body()))
+      slot.left_non_finite = true;
+    if (slot.body()->getFlags() != slot.flags) fail("the flags of a body are not the application's");
+  }
+  if (checked.rotation == nullptr) return;
+  for (std::size_t i = 0; i < kSlots && !has_acted_in_motion_state_; ++i) {
+    if (slots_[i].body() != nullptr && slots_[i].world == static_cast<int>(world))
+      check_motion_state(checked, i);
+  }
+  std::size_t managed = 0;
+  for (std::size_t i = 0; i < kSlots; ++i) {
+    if (slots_[i].body() == nullptr) continue;
+    const bool is_managed = checked.rotation->manages(*slots_[i].body());
+    if (is_managed != is_expected_to_be_managed(world, i))
+      fail("manages() is wrong for the body in slot " + std::to_string(i) + ": " +
+           (is_managed ? "true" : "false"));
+    if (!is_managed) continue;
+    ++managed;
+    check_body(world, i);
+  }
+  if (checked.rotation->managed_bodies() != managed)
+    fail("managed_bodies() is not the number of managed bodies");
+  const std::uint64_t incidents = checked.rotation->incidents();
+  if (incidents < checked.incidents) fail("incidents() has fallen");
+  if (incidents < checked.reports) fail("more incidents were reported than counted");
+  checked.incidents = incidents;
+}
+
+void Side::check_body(std::size_t world, std::size_t index) {
+  const BodySlot& slot = slots_[index];
+  if (!has_taken_step_) return;  // dt may be 0, or shorter than a substep
+  const std::string name = "the managed body in slot " + std::to_string(index);
+  if (!is_finite(*slot.body()) && !slot.left_non_finite)
+    fail(name + " of the way " + std::to_string(static_cast<int>(way_)) +
+         " is not finite:" + numbers(*slot.body()));
+  if (slot.left_non_finite) return;
+  const BodyRotation rotation = worlds_[world]->rotation->rotation_of(*slot.body());
+  if (!rotation.state.all_finite()) fail("rotation_of " + name + " is not finite");
+  constexpr double kRounding = 1e-5;
+  if (std::abs(rotation.state.q_WB.norm() - 1) > kRounding)
+    fail("q_WB of " + name + " is not of unit length");
+  if (rotation.unresolved_steps > rotation.steps) fail(name + " has more unresolved steps than steps");
+  if (!std::isfinite(rotation.energy_J)) fail("the energy of " + name + " is not finite");
+  if (find_scheme(rotation.scheme)->description().name != rotation.scheme)
+    fail(name + " has an unknown scheme");
+}
+
+// A motion state is shown the body where Bullet interpolates it to be, or the swollen basis of a scheme that
+// keeps one.
+void Side::check_motion_state(const World& world, std::size_t index) {
+  const btRigidBody& body = *slots_[index].body();
+  const ShownPose* motion_state = slots_[index].motion_state.get();
+  if (motion_state == nullptr || !body.isActive() || body.isStaticOrKinematicObject()) return;
+  const std::string name = "the motion state of the body in slot " + std::to_string(index);
+  if (!motion_state->is_shown && has_taken_step_) fail(name + " is not shown a pose");
+  if (!motion_state->is_shown) return;
+  const btScalar time = world.interpolation_time(body);
+  const btTransform& start = body.getInterpolationWorldTransform();
+  const btVector3& velocity = body.getInterpolationLinearVelocity();
+  btTransform expected;
+  btTransformUtil::integrateTransform(start, velocity, body.getInterpolationAngularVelocity(), time,
+                                      expected);
+  if (!is_finite(expected.getBasis()) || !is_finite(expected.getOrigin())) return;
+  const btTransform& shown = motion_state->pose;
+  if (!is_finite(shown.getBasis()) || !is_finite(shown.getOrigin())) fail(name + " is not finite");
+  constexpr btScalar kRounding = btScalar(1e-5);
+  const btScalar size = 1 + start.getOrigin().length() + velocity.length() * std::abs(time);
+  if ((shown.getOrigin() - expected.getOrigin()).length() > kRounding * size)
+    fail(name + " of the way " + std::to_string(static_cast<int>(way_)) +
+         " is shown another position than Bullet's: " + text(shown.getOrigin()) + " for" +
+         text(expected.getOrigin()) + " at the time " + std::to_string(time));
+  if (world.rotation->manages(body) && keeps_no_rotation(*world.rotation, body)) return;
+  for (int row = 0; row < 3; ++row) {
+    if ((shown.getBasis()[row] - expected.getBasis()[row]).length() > kRounding)
+      fail(name + " of the way " + std::to_string(static_cast<int>(way_)) +
+           " is shown another orientation than Bullet's");
+  }
+}
+
+}  // namespace polhode::fuzz
