@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Puts the sources of each target together for clang-tidy, which takes longest over the headers that they share.
 
-  lint_batches.py COMPILE_COMMANDS DIRECTORY
+  lint_batches.py COMPILE_COMMANDS DIRECTORY FOLDER...
 
-Writes DIRECTORY/compile_commands.json: sources that can be compiled as one in a batch, others one by one. Names that
-several unnamed namespaces of a batch define are numbered by macros. A source that is compiled for both of Bullet's precisions is checked once, a
-generated one not at all.
+Writes DIRECTORY/compile_commands.json: sources below FOLDER... that can be compiled as one in a batch, others one by
+one. Names that several unnamed namespaces of a batch define are numbered by macros. A source that is compiled for both
+of Bullet's precisions is checked once.
 """
 import collections
 import concurrent.futures
@@ -19,10 +19,10 @@ import sys
 BATCH_SIZE = 16
 
 
-def once_each(commands, generated):
-    """The last command of each source that is not below the folder `generated`."""
+def once_each(commands, folders):
+    """The last command of each source below one of the folders."""
     once = {command["file"]: command for command in commands}
-    return [command for file, command in once.items() if not file.startswith(generated)]
+    return [command for file, command in once.items() if file.startswith(folders)]
 
 
 def by_target(commands):
@@ -84,10 +84,11 @@ def commands_of(flags, members, path):
 
 def main():
     commands_file, directory = sys.argv[1], os.path.abspath(sys.argv[2])
+    folders = tuple(os.path.abspath(folder) + os.sep for folder in sys.argv[3:])
     os.makedirs(directory, exist_ok=True)
     with open(commands_file) as file:
         commands = json.load(file)
-    chunks = chunks_of(by_target(once_each(commands, os.path.dirname(directory) + os.sep)))
+    chunks = chunks_of(by_target(once_each(commands, folders)))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as workers:
         results = [workers.submit(commands_of, flags, members, f"{directory}/batch_{number}.cpp")
                    for number, (flags, members) in enumerate(chunks)]

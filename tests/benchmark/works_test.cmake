@@ -1,6 +1,6 @@
 # Runs the benchmark on 100 bodies: it says nothing of speed, only that the program counts what it should and that its
 # JSON can be read. Needs -Dprogram=<executable>.
-cmake_minimum_required(VERSION 3.18)
+cmake_minimum_required(VERSION 3.19)
 
 set(filter "^((world|plugin)/exact/.*/100|control/.*/100|kernel/exact/(free|set_up))/iterations")
 execute_process(COMMAND ${program} --benchmark_filter=${filter} --benchmark_format=json
