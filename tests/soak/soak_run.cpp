@@ -11,8 +11,7 @@ namespace {
 // Relative, of bodies under `exact`.
 constexpr double kEnergyBound = 2e-14;       // measured 2.1e-15
 constexpr double kAngularMomentumBound = 0;  // kept to the last bit
-// Above what the run had at a tenth of its steps: containers grow with the most that they ever held.
-constexpr std::int64_t kHeapSlack = 256 * 1024;           // measured 4 KiB
+// Above what the run had at a tenth of its steps.
 constexpr std::int64_t kResidentSlack = 4 * 1024 * 1024;  // measured 0.7 MiB
 constexpr std::int64_t kPrintedViolations = 10;
 
@@ -35,7 +34,7 @@ void SoakRun::check(std::int64_t step, const Drift& drift, std::size_t managed_b
   const Memory memory = memory_now();
   if (step == steps_ / 10) at_tenth_ = memory;
   if (at_tenth_.has_value()) {
-    require(memory.heap_bytes <= at_tenth_->heap_bytes + kHeapSlack, step, "the heap grows");
+    require(memory.heap_bytes <= at_tenth_->heap_bytes + heap_slack_, step, "the heap grows");
     require(memory.resident_bytes <= at_tenth_->resident_bytes + kResidentSlack, step,
             "resident memory grows");
   }

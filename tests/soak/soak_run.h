@@ -18,7 +18,9 @@ struct Drift {
 /// Collects what a soak finds and prints it.
 class SoakRun {
  public:
-  SoakRun(std::string name, std::int64_t steps) : name_(std::move(name)), steps_(steps) {}
+  /// `heap_slack`: bytes that the heap may hold above those at a tenth of the run.
+  SoakRun(std::string name, std::int64_t steps, std::int64_t heap_slack)
+      : name_(std::move(name)), steps_(steps), heap_slack_(heap_slack) {}
 
   std::int64_t steps() const { return steps_; }
   /// Returns true a hundred times over the run.
@@ -34,6 +36,7 @@ class SoakRun {
  private:
   std::string name_;
   std::int64_t steps_;
+  std::int64_t heap_slack_;
   std::optional<Memory> at_tenth_;
   std::int64_t violations_ = 0;
 };
