@@ -114,7 +114,8 @@ void Session::step_back() {
   if (simulation_->step_back()) return;
   notice_ = simulation_->shown_step() == 0
                 ? "this is the start"
-                : "older steps are not kept (" + number_text(static_cast<std::int64_t>(history_capacity_)) +
+                : "older steps are not kept (" +
+                      number_text(static_cast<std::int64_t>(simulation_->history_capacity())) +
                       " are): R starts over";
 }
 

@@ -7,9 +7,11 @@ namespace polhode::demos {
 
 Simulation::Simulation(Scenario scenario, const std::vector<Contender>& contenders,
                        std::size_t history_capacity)
-    : scenario_(std::move(scenario)), history_capacity_(history_capacity) {
+    : scenario_(std::move(scenario)),
+      history_capacity_(
+          std::min(history_capacity, kMostPoses / ((scenario_.others.size() + 1) * contenders.size()))) {
   for (const Contender& contender : contenders) {
-    runs_.push_back(std::make_unique<ContenderRun>(scenario_, contender, history_capacity));
+    runs_.push_back(std::make_unique<ContenderRun>(scenario_, contender, history_capacity_));
   }
 }
 

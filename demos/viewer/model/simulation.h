@@ -10,6 +10,8 @@ namespace polhode::demos {
 
 /// The number of steps of each contender that are kept, to step back through and to plot.
 inline constexpr std::size_t kHistoryCapacity = 20000;
+/// Fewer, where all bodies of all contenders would have more poses than this, of 96 bytes each.
+inline constexpr std::size_t kMostPoses = 4000000;
 
 /// A scenario run by several contenders in lockstep: all are at the same step, or have diverged before it.
 /// The step that is shown may lie behind the last one that was computed, as far back as the history goes.
@@ -29,6 +31,7 @@ class Simulation {
   double shown_t_s() const { return static_cast<double>(shown_step_) * scenario_.dt; }
   std::int64_t computed_step() const { return computed_step_; }
   std::int64_t first_kept_step() const;
+  std::size_t history_capacity() const { return history_capacity_; }
   bool all_diverged() const;
 
   std::size_t size() const { return runs_.size(); }

@@ -61,6 +61,13 @@ TEST(Simulation, KeepsABoundedHistory) {
   EXPECT_EQ(simulation.shown(1).sample.step, 71);
 }
 
+TEST(Simulation, KeepsFewerStepsOfManyBodies) {
+  Scenario scenario = resolved_scenario("tumble");
+  EXPECT_EQ(Simulation(scenario, find_contenders({"exact", "quaternion"})).history_capacity(), 20000u);
+  scenario.others.assign(199, scenario.body);
+  EXPECT_EQ(Simulation(scenario, find_contenders({"exact", "quaternion"})).history_capacity(), 10000u);
+}
+
 TEST(Simulation, GoesOnWithTheOthersAfterADivergence) {
   // The matrix also fails in step 36 in polhode_compare, at 1.08 s.
   Simulation simulation(resolved_scenario("dzhanibekov"), find_contenders({"exact", "matrix"}));
