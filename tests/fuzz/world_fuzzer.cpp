@@ -76,19 +76,15 @@ void compare(const Side& here, const Side& there, std::size_t world) {
 }
 
 // The bounds of the determinism contract (plugin/README.md): numbers that are not finite are set back to what
-// the library wrote last, which the two ways do at different moments. A RotationWorld cannot be detached. Soft
-// bodies look at the velocities of rigid ones in collision detection, where those differ by rounding.
+// the library wrote last, which the two ways do at different moments. A RotationWorld cannot be detached.
 bool is_within_contract(const Limits& limits) {
-  return !limits.managed || (limits.world_kind != WorldKind::soft_rigid && !limits.non_finite &&
-                             !limits.detaching && !limits.continuous_collision && !limits.contact_callbacks);
+  return !limits.managed || (!limits.non_finite && !limits.detaching && !limits.continuous_collision &&
+                             !limits.contact_callbacks);
 }
 
 void run(Bytes& bytes) {
   const Limits limits = read_limits(bytes);
   const bool is_traced = std::getenv("POLHODE_FUZZ_TRACE") != nullptr;
-  if (is_traced)
-    std::fprintf(stderr, "world of kind %d, %s\n", static_cast<int>(limits.world_kind),
-                 limits.managed ? "managed" : "Bullet's");
   std::vector<std::unique_ptr<Side>> sides;
   sides.push_back(std::make_unique<Side>(Way::rotation_world, limits));
   sides.push_back(std::make_unique<Side>(Way::plugin, limits));

@@ -125,6 +125,29 @@ TYPED_TEST(Activity, OfABodySwitchedOffIsNone) {
   }
 }
 
+// Bullet does so in collision detection, when a RotationWorld has begun the step, and lets the solver reach the body.
+template <class Way>
+btVector3 velocity_after_being_switched_off(Way& scene, btRigidBody& body) {
+  scene.template join<btHingeConstraint>(body, btVector3(1, 0, 0), btVector3(0, 1, 1).normalized());
+  body.forceActivationState(ACTIVE_TAG);
+  body.setLinearVelocity(btVector3(0, btScalar(1e9), 0));
+  scene.step(kDt);
+  EXPECT_EQ(body.getActivationState(), DISABLE_SIMULATION);
+  return body.getAngularVelocity();
+}
+
+TYPED_TEST(Activity, OfABodyThatBulletSwitchesOffInTheStepIsBullets) {
+  Scene<> plain;
+  btRigidBody& of_bullet = plain.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4), kTilted);
+  const btVector3 expected_W = velocity_after_being_switched_off(plain, of_bullet);
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    SCOPED_TRACE(scheme->description().name);
+    Stage<TypeParam> stage(scheme, btVector3(3, 2, 4));
+    EXPECT_TRUE(same(velocity_after_being_switched_off(stage.scene, stage.body), expected_W));
+    EXPECT_EQ(stage.scene.rotation().rotation_of(stage.body).steps, 0u);
+  }
+}
+
 TYPED_TEST(Activity, OfStaticAndKinematicBodiesIsTheApplications) {
   TypeParam scene;
   btRigidBody& fixed = scene.add_floor();

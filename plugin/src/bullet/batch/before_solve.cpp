@@ -29,14 +29,20 @@ LaneBits lanes_to_begin(const Batch& batch) {
   return lanes;
 }
 
-// Lanes whose body was looked at by begin_step, now or in predict, and is still the same.
+// Lanes whose body was looked at by begin_step, now or in predict, and is still the same. In collision detection
+// Bullet switches off a body whose bounding box is too large for it: that one takes no step.
 LaneBits lanes_to_solve(Batch& batch) {
   LaneBits lanes = batch.begun & ~batch.in_solve;
   batch.has_replaced_bodies = false;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (!lanes[lane] || !batch.is_replaced(lane)) continue;
-    batch.has_replaced_bodies = true;
-    lanes.reset(lane);
+    if (!lanes[lane]) continue;
+    if (batch.is_replaced(lane)) {
+      batch.has_replaced_bodies = true;
+      lanes.reset(lane);
+    } else if (!moves(*batch.bodies[lane]) && !is_switched_off_by_nan(*batch.bodies[lane])) {
+      lanes.reset(lane);
+      batch.begun.reset(lane);
+    }
   }
   return lanes;
 }
