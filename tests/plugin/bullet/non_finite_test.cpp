@@ -346,6 +346,26 @@ TYPED_TEST(Overflow, OfABodyThatIsSwitchedOffIsTakenOutInTheSameStep) {
   EXPECT_GE(scene.rotation().incidents(), 1u);
 }
 
+// Likewise where Bullet does so in the step, and integrates the bodies itself.
+TYPED_TEST(Overflow, OfABodyThatBulletSwitchesOffIsTakenOutInTheSameStep) {
+  for (const bool by_bullet : {false, true}) {
+    TypeParam scene;
+    scene.world().setApplySpeculativeContactRestitution(by_bullet);
+    const btScalar huge = std::numeric_limits<btScalar>::max();
+    btRigidBody& on = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+    btRigidBody& off = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
+    scene.template join<btPoint2PointConstraint>(on, off, btVector3(5, 0, 0), btVector3(-5, 0, 0));
+    off.forceActivationState(ACTIVE_TAG);
+    off.setLinearVelocity(btVector3(-huge, -huge, -huge));
+    on.setLinearVelocity(btVector3(huge, huge, huge));
+    scene.step(kDt);
+    EXPECT_EQ(off.getActivationState(), ACTIVE_TAG) << by_bullet;  // as a body that was set back is
+    EXPECT_TRUE(is_finite(on)) << by_bullet;
+    EXPECT_TRUE(is_finite(off)) << by_bullet;
+    EXPECT_EQ(scene.rotation().incidents(), 2u) << by_bullet;
+  }
+}
+
 // What is given to the solver is what a body is set back to: it is finite, however long the step.
 TYPED_TEST(Overflow, OfALockedBodysFreeTurnIsNotGivenToTheSolver) {
   const btScalar huge = std::numeric_limits<btScalar>::max();

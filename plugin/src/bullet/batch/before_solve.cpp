@@ -30,7 +30,8 @@ LaneBits lanes_to_begin(const Batch& batch) {
 }
 
 // Lanes whose body was looked at by begin_step, now or in predict, and is still the same. In collision detection
-// Bullet switches off a body whose bounding box is too large for it: that one takes no step.
+// Bullet switches off a body whose bounding box is too large for it: that one takes no step. One that is not finite
+// is taken along, to be set back.
 LaneBits lanes_to_solve(Batch& batch) {
   LaneBits lanes = batch.begun & ~batch.in_solve;
   batch.has_replaced_bodies = false;
@@ -39,9 +40,10 @@ LaneBits lanes_to_solve(Batch& batch) {
     if (batch.is_replaced(lane)) {
       batch.has_replaced_bodies = true;
       lanes.reset(lane);
-    } else if (!moves(*batch.bodies[lane]) && !is_switched_off_by_nan(*batch.bodies[lane])) {
+    } else if (!moves(*batch.bodies[lane]) && is_finite(*batch.bodies[lane])) {
       lanes.reset(lane);
       batch.begun.reset(lane);
+      batch.of_library.reset(lane);
     }
   }
   return lanes;
