@@ -2,9 +2,9 @@
 
 namespace polhode::demos {
 
-namespace {
-
 using Json = nlohmann::ordered_json;
+
+namespace {
 
 Json list(const Vector3& v) {
   return {v.x(), v.y(), v.z()};

@@ -81,7 +81,7 @@ TEST_F(RecordingFile, ThatIsNoRegularFileIsRefused) {
            {directory_.path(), ": not a regular file"},
            {directory_ / "pipe", ": not a regular file"},
            {"/dev/zero", ": not a regular file"}}) {
-    EXPECT_THAT([&] { read_recording(file); },
+    EXPECT_THAT([&, &path = file] { read_recording(path); },
                 testing::ThrowsMessage<std::invalid_argument>(file.string() + reason + valid));
   }
 }
