@@ -76,13 +76,15 @@ TEST_F(RecordingFile, ThatIsNoneIsRefused) {
 TEST_F(RecordingFile, ThatIsNoRegularFileIsRefused) {
   const std::string valid = "; valid is a file that polhode_viewer --record wrote";
   ASSERT_EQ(::mkfifo((directory_ / "pipe").c_str(), 0600), 0);
-  for (const auto& [file, reason] : std::vector<std::pair<std::filesystem::path, std::string>>{
-           {directory_ / "nothing", ": no such file"},
-           {directory_.path(), ": not a regular file"},
-           {directory_ / "pipe", ": not a regular file"},
-           {"/dev/zero", ": not a regular file"}}) {
-    EXPECT_THAT([&, &path = file] { read_recording(path); },
-                testing::ThrowsMessage<std::invalid_argument>(file.string() + reason + valid));
+  const std::vector<std::pair<std::filesystem::path, std::string>> refused = {
+      {directory_ / "nothing", ": no such file"},
+      {directory_.path(), ": not a regular file"},
+      {directory_ / "pipe", ": not a regular file"},
+      {"/dev/zero", ": not a regular file"}};
+  for (const auto& file_and_reason : refused) {
+    const std::filesystem::path& file = file_and_reason.first;
+    EXPECT_THAT([&] { read_recording(file); }, testing::ThrowsMessage<std::invalid_argument>(
+                                                   file.string() + file_and_reason.second + valid));
   }
 }
 
