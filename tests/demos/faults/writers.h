@@ -32,7 +32,7 @@ inline std::vector<Writer> writers() {
   const std::vector<std::string> comparison = {"--contender", "exact", "--contender", "quaternion"};
   for (const char* option : {"--csv", "--json", "--report"}) {
     Writer writer = {option, POLHODE_COMPARE_EXECUTABLE, comparison};
-    writer.arguments.push_back(option);
+    writer.arguments.emplace_back(option);
     writer.is_reproducible = writer.arguments.back() == "--csv";
     list.push_back(writer);
   }

@@ -80,7 +80,7 @@ TEST_F(InputFile, ThatIsAPipeIsNotWaitedForForEver) {
 }
 
 TEST_F(InputFile, IsReadLineByLineUpToTheLimitOfALine) {
-  std::istringstream stream(std::string("abc\n\nd\0e\nabcd\nf", 16));
+  std::istringstream stream(std::string("abc\n\nd\0e\nabcd\nf", 15));
   std::string line;
   EXPECT_TRUE(read_line(stream, 3, line));
   EXPECT_EQ(line, "abc");

@@ -162,7 +162,7 @@ class EventfulScene : public Way {
       add_at(btVector3(btScalar(3 * i), 0, btScalar(0.99)));
       btRigidBody& hinged = add_at(btVector3(btScalar(3 * i), 20, 20));
       hinge_ = &this->template join<btHingeConstraint>(hinged, btVector3(0, 0, 0), btVector3(0, 1, 1));
-      schemes.push_back({&hinged, i == 1 ? "implicit_gyroscopic" : i == 2 ? "quaternion" : "exact"});
+      schemes.emplace_back(&hinged, i == 1 ? "implicit_gyroscopic" : i == 2 ? "quaternion" : "exact");
       add_at(btVector3(btScalar(3 * i), 40, 40)).setAngularFactor(btVector3(1, 1, 0));
     }
     for (int i = 0; i < 8; ++i) add_at(btVector3(btScalar(5 * i), 60, 60));
@@ -173,7 +173,7 @@ class EventfulScene : public Way {
       this->world().removeRigidBody(late_.back());
     }
     replaced_.emplace(info_of_replaced());
-    schemes.push_back({watched_, "exact"});
+    schemes.emplace_back(watched_, "exact");
     for (const auto& [body, scheme] : schemes) this->rotation().set_scheme(*body, scheme);
   }
   ~EventfulScene() { this->world().removeRigidBody(&*replaced_); }

@@ -154,9 +154,12 @@ TYPED_TEST(WideOf, TellWhichHaveTheSameBits) {
   });
 }
 
+// The same kind of registers, for floats.
+template <template <class> class KindOf>
+BasicWide<KindOf<float>> of_floats(const KindOf<double>&);
+
 TYPED_TEST(WideOf, AreConvertedAsNumbersAre) {
-  using OfFloats = BasicWide<std::conditional_t<std::is_same_v<TypeParam, PlainRegisters>,
-                                                PlainRegistersOf<float>, RegistersOf<float>>>;
+  using OfFloats = decltype(of_floats(std::declval<TypeParam>()));
   this->for_pairs([](const auto& a, const auto&) {
     const auto rounded = OfFloats::converted(a);
     const auto back = std::decay_t<decltype(a)>::converted(rounded);
