@@ -2,7 +2,10 @@
 # were built or first installed. Variables: build, source, configuration, folder.
 file(REMOVE_RECURSE ${folder})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${build} --config "${configuration}" --prefix ${folder}/installed
-  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  OUTPUT_QUIET RESULT_VARIABLE result)
+if(NOT result EQUAL 0)
+  message(FATAL_ERROR "the build cannot be installed: ${result}")
+endif()
 file(RENAME ${folder}/installed ${folder}/moved)
 
 file(GLOB_RECURSE texts ${folder}/moved/*.cmake ${folder}/moved/*.pc ${folder}/moved/*.h)
