@@ -54,9 +54,7 @@ void Batch::attach(std::size_t lane, btRigidBody& body) {
   bodies[lane] = &body;
   identities[lane] = body_identity(body);
   diverged.reset(lane);
-  begun.reset(lane);
-  in_solve.reset(lane);
-  of_library.reset(lane);
+  leave_step(lane);
   may_be_clamped.set(lane);
   steps[lane] = unresolved_steps[lane] = 0;
   for (std::size_t kind = 0; kind < kIncidentKinds; ++kind) {
@@ -66,13 +64,17 @@ void Batch::attach(std::size_t lane, btRigidBody& body) {
   start(lane);
 }
 
+void Batch::leave_step(std::size_t lane) {
+  begun.reset(lane);
+  in_solve.reset(lane);
+  of_library.reset(lane);
+}
+
 void Batch::detach(std::size_t lane) {
   bodies[lane] = nullptr;
   diverged.reset(lane);
   for (LaneBits& lanes : to_report) lanes.reset(lane);
-  begun.reset(lane);
-  in_solve.reset(lane);
-  of_library.reset(lane);
+  leave_step(lane);
   may_be_clamped.reset(lane);
 }
 

@@ -89,6 +89,8 @@ struct alignas(64) Batch {
   /// Takes the body's motion as it is: its first step starts there, whenever the body was seen first.
   void start(std::size_t lane);
   void detach(std::size_t lane);
+  /// Takes the body out of a step under way: Bullet has it for the rest.
+  void leave_step(std::size_t lane);
   /// Takes over the body in another batch of the same scheme, with all that is known of it. Where there is no
   /// memory for what the solver was given, the rest of a step under way does without.
   void move_from(const Batch& other, std::size_t from, std::size_t to) noexcept;

@@ -42,8 +42,7 @@ LaneBits lanes_to_solve(Batch& batch) {
       lanes.reset(lane);
     } else if (!moves(*batch.bodies[lane]) && is_finite(*batch.bodies[lane])) {
       lanes.reset(lane);
-      batch.begun.reset(lane);
-      batch.of_library.reset(lane);
+      batch.leave_step(lane);
     }
   }
   return lanes;
@@ -56,13 +55,11 @@ void clear_gyroscopic_flags(Batch& batch, std::size_t lane) {
   if (batch.gyroscopic_flags[lane] != 0) body.setFlags(flags & ~kGyroscopicFlags);
 }
 
-// For the rest of the step.
+// With the flags that clear_gyroscopic_flags took.
 void leave_to_bullet(Batch& batch, std::size_t lane) {
   btRigidBody& body = *batch.bodies[lane];
   body.setFlags(body.getFlags() | batch.gyroscopic_flags[lane]);
-  batch.begun.reset(lane);
-  batch.in_solve.reset(lane);
-  batch.of_library.reset(lane);
+  batch.leave_step(lane);
 }
 
 // A body whose mark is missing counts as constrained: that costs a free one a rounding error.
