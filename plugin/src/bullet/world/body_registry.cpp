@@ -35,16 +35,18 @@ bool BodyRegistry::synchronize(const Bodies& list, const SchemeChoices& choices)
 
 // Makes room for a list of this size. Returns the size for which there is room.
 std::size_t BodyRegistry::reserve(std::size_t size) noexcept {
-  if (size <= capacity_) return size;
+  const auto capacity = [this] {
+    return std::min({bodies_.capacity(), places_.capacity(), moved_.capacity()});
+  };
+  if (size <= capacity()) return size;
   try {
-    const std::size_t wanted = std::max(size, 2 * capacity_);
+    const std::size_t wanted = std::max(size, 2 * capacity());
     bodies_.reserve(wanted);
     places_.reserve(wanted);
     moved_.reserve(wanted);
-    capacity_ = wanted;
   } catch (const std::bad_alloc&) {  // the rest of the list stays with Bullet for now
   }
-  return std::min(size, capacity_);
+  return std::min(size, capacity());
 }
 
 // Brings bodies_ in line with the first `size` bodies of the list, for which there is room.
@@ -93,20 +95,28 @@ void BodyRegistry::try_to_add(std::size_t index, const SchemeChoices& choices) n
   }
 }
 
+// Expects nobody where there is no memory for all.
+template <class Expect>
+void BodyRegistry::all_or_none(const Expect& expect_all) {
+  try {
+    expect_all();
+  } catch (...) {
+    list_batches();
+    throw;
+  }
+}
+
 void BodyRegistry::apply_choices(const SchemeChoices& choices) {
   const auto has_other = [&](std::size_t index, const SchemePointer& wanted) {
     const Batch* batch = lane_at(index).batch;
     return is_replaced(index) || (batch == nullptr ? nullptr : batch->scheme.get()) != wanted.get();
   };
-  try {
+  all_or_none([&] {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
       if (wanted != nullptr && has_other(i, wanted)) expect(wanted);
     }
-  } catch (...) {
-    list_batches();
-    throw;
-  }
+  });
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
     if (!has_other(i, wanted)) continue;
@@ -119,12 +129,9 @@ void BodyRegistry::apply_choices(const SchemeChoices& choices) {
 void BodyRegistry::restart(btRigidBody& body, const SchemePointer& scheme) {
   const std::size_t index = index_of(body);
   if (index == bodies_.size()) return;
-  try {
+  all_or_none([&] {
     if (scheme != nullptr) expect(scheme);
-  } catch (...) {
-    list_batches();
-    throw;
-  }
+  });
   remove(index);
   add(index, scheme);
   list_batches();

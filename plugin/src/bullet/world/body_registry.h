@@ -82,6 +82,8 @@ class BodyRegistry {
   void follow(const Bodies& list, std::size_t size) noexcept;
   void try_to_add(std::size_t index, const SchemeChoices& choices) noexcept;
   void expect(const SchemePointer& scheme);
+  template <class Expect>
+  void all_or_none(const Expect& expect_all);
   void add(std::size_t index, const SchemePointer& scheme) noexcept;
   void remove(std::size_t index) noexcept { remove(std::exchange(places_[index], Place())); }
   void remove(const Place& place) noexcept;
@@ -92,7 +94,6 @@ class BodyRegistry {
   std::vector<btRigidBody*> bodies_;
   std::vector<Place> places_;  // of bodies_
   std::vector<Moved> moved_;   // within follow
-  std::size_t capacity_ = 0;   // of these three
   bool lacks_memory_ = false;
   std::uint64_t changes_ = 0;
   std::vector<Family> families_;
