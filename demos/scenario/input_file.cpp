@@ -19,6 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
+[[noreturn]] void fail_to_read() {
+  throw InputFileError(std::string("cannot be read: ") + std::strerror(errno));
+}
+
 fs::file_type type_of(const fs::path& file) {
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
@@ -32,7 +36,7 @@ class Descriptor {
   // Without O_NONBLOCK a pipe with no writer would hold up the opening itself.
   explicit Descriptor(const fs::path& file)
       : number_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {
-    if (number_ < 0) throw InputFileError(std::string("cannot be read: ") + std::strerror(errno));
+    if (number_ < 0) fail_to_read();
   }
   ~Descriptor() { ::close(number_); }
   Descriptor(const Descriptor&) = delete;
@@ -44,14 +48,14 @@ class Descriptor {
     pollfd readable{number_, POLLIN, 0};
     const int count =
         ::poll(&readable, 1, static_cast<int>(std::max(left.count(), decltype(left.count()){0})));
-    if (count < 0) throw InputFileError(std::string("cannot be read: ") + std::strerror(errno));
+    if (count < 0) fail_to_read();
     return count > 0;
   }
 
   /// Returns the number of bytes that were read, 0 at the end.
   std::size_t read(char* begin, std::size_t size) const {
     const ssize_t count = ::read(number_, begin, size);
-    if (count < 0) throw InputFileError(std::string("cannot be read: ") + std::strerror(errno));
+    if (count < 0) fail_to_read();
     return static_cast<std::size_t>(count);
   }
 
@@ -89,7 +93,7 @@ std::string read_text_file(const fs::path& file, std::size_t most, std::chrono::
 std::ifstream open_regular_file(const fs::path& file) {
   if (type_of(file) != fs::file_type::regular) throw InputFileError("not a regular file");
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputFileError(std::string("cannot be read: ") + std::strerror(errno));
+  if (!stream) fail_to_read();
   return stream;
 }
 
