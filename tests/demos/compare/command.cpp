@@ -1,10 +1,12 @@
 #include "demos/compare/command.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 
@@ -33,6 +35,12 @@ double seconds(const timeval& time) {
 }
 
 }  // namespace
+
+void expect_refused_in_one_line(const CommandResult& result) {
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(std::count(result.standard_error.begin(), result.standard_error.end(), '\n'), 1)
+      << result.standard_error;
+}
 
 Command::Command(const std::string& program, const std::vector<std::string>& arguments,
                  const std::vector<std::string>& environment, const std::function<void()>& prepare) {

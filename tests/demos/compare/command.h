@@ -16,6 +16,9 @@ struct CommandResult {
   double peak_megabytes;  ///< of resident memory, from the fork on: at least what the test itself has
 };
 
+/// Expects exit code 2 and one line on stderr.
+void expect_refused_in_one_line(const CommandResult& result);
+
 /// AddressSanitizer keeps freed memory for a while, and some beside each allocation.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr double kMemoryFactor = 10.0;

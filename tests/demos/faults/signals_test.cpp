@@ -47,7 +47,6 @@ class Signal : public WriterTest {
 };
 
 TEST_P(Signal, ToTerminateLeavesNothingElse) {
-  if (!can_run()) GTEST_SKIP() << "no OpenGL without a display";
   at_any_moment(SIGTERM, [&](const CommandResult& result, int /*process*/) {
     // Before the program is ready for it, the signal ends it by itself.
     EXPECT_THAT(result.exit_code, testing::AnyOf(0, -SIGTERM, 128 + SIGTERM)) << result.standard_error;
@@ -57,7 +56,6 @@ TEST_P(Signal, ToTerminateLeavesNothingElse) {
 }
 
 TEST_P(Signal, ToKillLeavesARecognisableRemainderThatDisturbsNoLaterRun) {
-  if (!can_run()) GTEST_SKIP() << "no OpenGL without a display";
   at_any_moment(SIGKILL, [&](const CommandResult& result, int process) {
     EXPECT_THAT(result.exit_code, testing::AnyOf(0, -SIGKILL)) << result.standard_error;
     const std::filesystem::path remainder = target().string() + ".partial-" + std::to_string(process);

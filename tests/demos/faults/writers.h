@@ -82,23 +82,21 @@ inline std::vector<Writer> writers(bool with_journal) {
 /// A writer, a directory for its file, and one for what it writes besides.
 class WriterTest : public testing::TestWithParam<Writer> {
  protected:
-  Command start(const std::function<void()>& prepare = [] {}) const {
+  void SetUp() override {
+    if (!can_run()) GTEST_SKIP() << "no OpenGL without a display";
+  }
+
+  Command start(const std::function<void()>& prepare = [] {}) const { return start_with(target(), prepare); }
+  Command start_with(const std::filesystem::path& file, const std::function<void()>& prepare) const {
     std::vector<std::string> arguments = GetParam().arguments;
     for (std::string& argument : arguments) {
       if (argument == "OTHER.png") argument = (beside_ / "other.png").string();
     }
-    arguments.push_back(target().string());
+    arguments.push_back(file.string());
     return Command(GetParam().program, arguments, kWithoutDisplay, prepare);
   }
   std::filesystem::path target() const { return directory_ / "out"; }
   std::filesystem::path journal() const { return directory_ / "out.partial"; }
-  /// Returns false where no picture can be drawn.
-  bool can_run() const {
-    const CommandResult result = start().wait();
-    if (result.exit_code == 2 && result.standard_error.find("no OpenGL") != std::string::npos) return false;
-    EXPECT_EQ(result.exit_code, 0) << result.standard_error;
-    return true;
-  }
   /// Returns what a run writes that nothing disturbs.
   std::string clean_text() const {
     EXPECT_EQ(start().wait().exit_code, 0);
@@ -111,6 +109,15 @@ class WriterTest : public testing::TestWithParam<Writer> {
 
   TemporaryDirectory directory_;
   TemporaryDirectory beside_;
+
+ private:
+  // False where no picture can be drawn.
+  bool can_run() const {
+    const CommandResult result = start().wait();
+    if (result.exit_code == 2 && result.standard_error.find("no OpenGL") != std::string::npos) return false;
+    EXPECT_EQ(result.exit_code, 0) << result.standard_error;
+    return true;
+  }
 };
 
 inline std::string name_of(const testing::TestParamInfo<Writer>& test) {

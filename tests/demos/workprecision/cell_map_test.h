@@ -42,8 +42,7 @@ class CellMapTest : public testing::Test {
 
   std::string expect_refusal(const Texts& more = {}) const {
     const CommandResult result = Command(POLHODE_WORKPRECISION_EXECUTABLE, arguments("out.csv", more)).wait();
-    EXPECT_EQ(result.exit_code, 2);
-    EXPECT_EQ(std::count(result.standard_error.begin(), result.standard_error.end(), '\n'), 1);
+    expect_refused_in_one_line(result);
     EXPECT_FALSE(std::filesystem::exists(directory_ / "out.csv"));
     return result.standard_error;
   }
