@@ -9,6 +9,7 @@
 #include "soak/watched_body.h"
 #include "support/motion.h"
 #include "support/scene.h"
+#include "support/uniform.h"
 
 namespace polhode::testing {
 
@@ -62,10 +63,7 @@ class ChangingWorld {
   }
 
  private:
-  // A generator's numbers are the standard's, a distribution's are not.
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
-  }
+  double uniform(double low, double high) { return testing::uniform(random_, low, high); }
   bool chance(double probability) { return uniform(0, 1) < probability; }
   btVector3 random_vector(double low, double high) {
     const double x = uniform(low, high), y = uniform(low, high), z = uniform(low, high);

@@ -10,6 +10,7 @@
 #include "support/motion.h"
 #include "support/oracle/heavy_top.h"
 #include "support/scene.h"
+#include "support/uniform.h"
 
 /// Bodies that something holds, pushes or pulls: joints, locked axes, contacts, springs. Each builder takes
 /// any scene, with or without the library; z is up.
@@ -267,9 +268,7 @@ void add_chain(AnyScene& scene, int count) {
 /// Eight boxes of random shape that fall, spinning, onto one another; the first body is the floor.
 template <class AnyScene>
 void add_random_drop(AnyScene& scene, double spin, std::mt19937& random) {
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-  };
+  const auto uniform = [&](double low, double high) { return testing::uniform(random, low, high); };
   const auto direction = [&] {
     const double x = uniform(-1, 1), y = uniform(-1, 1);
     return vector(x, y, uniform(0.1, 1)).normalized();

@@ -6,6 +6,7 @@
 
 #include "support/both_ways.h"
 #include "support/constrained_scene.h"
+#include "support/uniform.h"
 
 namespace polhode::testing {
 namespace {
@@ -24,7 +25,7 @@ const char* name_of(Kind kind) {
 /// Moments to a ratio of 20, any tilt, 1 to 180 rad/s about z.
 struct Draw {
   explicit Draw(std::mt19937& random) {
-    const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    const auto uniform = [&] { return testing::uniform(random, 0, 1); };
     const auto direction = [&] {
       const double x = uniform() - 0.5, y = uniform() - 0.5;
       return vector(x, y, uniform() - 0.5).normalized();
