@@ -41,7 +41,7 @@ std::string valid_words(const CLI::App& app) {
   throw std::invalid_argument(option + ": must be " + valid + ", is \"" + text + "\"");
 }
 
-// As bash, zsh and POSIX's shell of 2024 read it, byte by byte.
+// Writes the word byte by byte, as bash, zsh and the shell of POSIX 2024 read it.
 std::string escaped_shell_word(const std::string& word) {
   std::string quoted = "$'";
   for (const char c : word) {

@@ -1,4 +1,4 @@
-// What a program stands on is missing: an output that takes nothing, a home, a display, a folder to write to.
+// Programs without an output that can be written, a home, a display or a folder to write to.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

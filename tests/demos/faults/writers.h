@@ -104,7 +104,7 @@ class WriterTest : public testing::TestWithParam<Writer> {
     std::filesystem::remove(target());
     return text;
   }
-  /// What a run may leave besides the target when it ends early.
+  /// Counts the files that a run may leave besides the target when it ends early.
   int kept_files() const { return std::filesystem::exists(journal()) && GetParam().has_journal ? 1 : 0; }
 
   TemporaryDirectory directory_;

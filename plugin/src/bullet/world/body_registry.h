@@ -17,7 +17,7 @@ inline namespace POLHODE_PRECISION {
 /// Which body of the world is in which batch. A body gets a place when it is first seen in the world's list
 /// and loses it when it is gone from there; the last body of its scheme then fills the hole. Bodies are the
 /// application's and may be dead between two calls of synchronize: until then none is looked at.
-/// What throws std::bad_alloc leaves everything as it was.
+/// A function that throws std::bad_alloc changes nothing.
 class BodyRegistry {
  public:
   using Bodies = btAlignedObjectArray<btRigidBody*>;

@@ -24,7 +24,7 @@ class WorldStepper {
   explicit WorldStepper(btDynamicsWorld& world);
 
   /// @name For RotationControl
-  /// What throws std::bad_alloc leaves everything as it was, except that a failed attach wants a detach.
+  /// A function that throws std::bad_alloc changes nothing, but call detach() after a failed attach().
   /// @{
   void attach();
   void detach();
