@@ -46,7 +46,7 @@ void release(void* memory) {
 
 }  // namespace
 
-// The forms for arrays and those that do not throw call these.
+// The other forms call these.
 void* operator new(std::size_t size) {
   return allocate(size);
 }

@@ -36,8 +36,7 @@ void free_counted(void* memory) {
 
 }  // namespace
 
-// The forms for arrays and those that do not throw call these. Not inlined: GCC would see one of a pair without
-// the other, and warn of a mismatch.
+// The other forms call these. Not inlined: GCC would see one of a pair without the other, and warn of a mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   count_allocation();
   return counted(std::malloc(size));

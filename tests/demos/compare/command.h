@@ -19,11 +19,13 @@ struct CommandResult {
 /// Expects exit code 2 and one line on stderr.
 void expect_refused_in_one_line(const CommandResult& result);
 
-/// AddressSanitizer keeps freed memory for a while, and some beside each allocation.
+/// AddressSanitizer keeps freed memory for a while, and some beside each allocation; it takes several times as long.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr double kMemoryFactor = 10.0;
+inline constexpr double kTimeFactor = 10.0;
 #else
 inline constexpr double kMemoryFactor = 1.0;
+inline constexpr double kTimeFactor = 1.0;
 #endif
 
 /// A program under way, its output caught.

@@ -52,7 +52,7 @@ class CellMapTest : public testing::Test {
     Texts more = long_run_;
     more.insert(more.end(), {"--threads", "1"});
     auto command = std::make_unique<Command>(POLHODE_WORKPRECISION_EXECUTABLE, arguments(file, more));
-    for (int i = 0; i < 1000 && lines_of_journal(file) < 5; ++i) {
+    for (int i = 0; i < 20000 && lines_of_journal(file) < 5; ++i) {  // sanitizers take seconds for a cell
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return command;
