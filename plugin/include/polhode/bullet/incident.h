@@ -7,6 +7,8 @@
 
 #include "polhode/bullet/precision.h"
 
+class btMultiBody;
+
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -17,7 +19,8 @@ enum class IncidentKind : std::uint8_t {
 
 struct Incident {
   IncidentKind kind;
-  btRigidBody* body;
+  btRigidBody* body;         ///< null if it is a multibody
+  btMultiBody* multibody;    ///< null if it is a rigid body
   std::uint64_t body_steps;  ///< steps the body had taken with its scheme
 };
 

@@ -38,6 +38,10 @@ class RotationWorld;
 /// Chooses which bodies of a world are rotated by which scheme, and reports their state. A RotationWorld and
 /// a RotationPlugin each have one, `rotation()`.
 ///
+/// A btMultiBody whose links, if it has any, are all fixed is a body too; one with links that move is Bullet's.
+/// A multibody has no identity in Bullet: one that comes, between two steps, to the address of one that went has
+/// its choice.
+///
 /// Every dynamic body has the world's default scheme unless it was told otherwise. A body's choice lasts
 /// until it is absent from the world during a step; it survives being removed and added again between two
 /// steps. Outside a step bodies are as the application left them: their gyroscopic flags are cleared within
@@ -66,24 +70,30 @@ class RotationControl {
   void clear_default_scheme();
 
   /// Rotates the body by this scheme from the next step on, starting afresh from its present pose and
-  /// velocity (a diverged body too).
-  /// @throws std::invalid_argument for an unknown name, a null pointer, a static body, or an object that is
-  /// no btRigidBody (a link of a btMultiBody).
+  /// velocity (a diverged body too). `body` may be a collider of a multibody.
+  /// @throws std::invalid_argument for an unknown name, a null pointer, a static body, a multibody whose links
+  /// move or whose base is fixed, or an object that is neither.
   void set_scheme(btCollisionObject& body, std::string_view name);
   void set_scheme(btCollisionObject& body, SchemePointer scheme);
+  void set_scheme(btMultiBody& multibody, std::string_view name);
+  void set_scheme(btMultiBody& multibody, SchemePointer scheme);
   /// Gives the body the world's default scheme again.
   void use_default_scheme(btCollisionObject& body);
+  void use_default_scheme(btMultiBody& multibody);
   /// Gives the body back to Bullet, which rotates it again.
   void release(btCollisionObject& body);
+  void release(btMultiBody& multibody);
   /// @}
 
   /// Returns true if the library rotates this body: it is in the world, dynamic at present, and has a scheme.
   bool manages(const btRigidBody& body) const;
+  bool manages(const btMultiBody& multibody) const;
   /// Returns the body's present rotation: the library's double state if the body is bit for bit as the last
   /// step left it, else the body's own values. A velocity whose momentum or energy is past the largest double
   /// counts as 0; in its next step such a body has diverged.
   /// @throws std::invalid_argument if the body is not managed.
   BodyRotation rotation_of(const btRigidBody& body) const;
+  BodyRotation rotation_of(const btMultiBody& multibody) const;
   std::size_t managed_bodies() const;
 
   /// Replaces the handler; an empty one is allowed. Without a handler incidents are only counted.

@@ -10,16 +10,17 @@
 class btDiscreteDynamicsWorldMt;
 class btSoftRigidDynamicsWorld;
 class btMultiBodyDynamicsWorld;
+class btSoftMultiBodyDynamicsWorld;
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 /// A world whose bodies are rotated by the library: `RotationWorld<btDiscreteDynamicsWorld> world(...)`, with
 /// the constructor arguments of Base. Base is any discrete world: btDiscreteDynamicsWorld,
-/// btDiscreteDynamicsWorldMt, btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld (its rigid bodies; links of
-/// a btMultiBody are Bullet's), or a subclass of the application's own.
+/// btDiscreteDynamicsWorldMt, btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld, or
+/// a subclass of the application's own.
 ///
-/// Gives the same bits as RotationPlugin and is faster: over one of Bullet's own four classes the library
+/// Gives the same bits as RotationPlugin and is faster: over one of Bullet's own five classes the library
 /// integrates the bodies itself, where Bullet would turn each of them three times more in a step.
 template <class Base>
 class RotationWorld : public Base {
@@ -85,7 +86,8 @@ class RotationWorld : public Base {
   // replaced.
   static constexpr bool kBulletsOwn =
       std::is_same_v<Base, btDiscreteDynamicsWorld> || std::is_same_v<Base, btDiscreteDynamicsWorldMt> ||
-      std::is_same_v<Base, btSoftRigidDynamicsWorld> || std::is_same_v<Base, btMultiBodyDynamicsWorld>;
+      std::is_same_v<Base, btSoftRigidDynamicsWorld> || std::is_same_v<Base, btMultiBodyDynamicsWorld> ||
+      std::is_same_v<Base, btSoftMultiBodyDynamicsWorld>;
 
   RotationControl rotation_;
 };

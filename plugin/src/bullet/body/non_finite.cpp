@@ -27,10 +27,10 @@ void sanitize(btRigidBody& body, const BodyMotion& fallback) {
   body.setCenterOfMassTransform(motion.pose);
 }
 
-void forget_contacts(btDispatcher& dispatcher, const btRigidBody& body) {
+void forget_contacts(btDispatcher& dispatcher, const btCollisionObject& object) {
   for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
     btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
-    if (manifold->getBody0() == &body || manifold->getBody1() == &body) manifold->clearManifold();
+    if (manifold->getBody0() == &object || manifold->getBody1() == &object) manifold->clearManifold();
   }
 }
 

@@ -47,9 +47,9 @@ BodyMotion finite_motion(const btRigidBody& body, const BodyMotion& fallback);
 /// Bullet switched it off over a bounding box of NaN.
 void sanitize(btRigidBody& body, const BodyMotion& fallback);
 
-/// Forgets the body's contact points: the impulses they keep for warm starting may be NaN and would bring it
+/// Forgets the object's contact points: the impulses they keep for warm starting may be NaN and would bring it
 /// back.
-void forget_contacts(btDispatcher& dispatcher, const btRigidBody& body);
+void forget_contacts(btDispatcher& dispatcher, const btCollisionObject& object);
 
 }  // namespace POLHODE_PRECISION
 }  // namespace polhode

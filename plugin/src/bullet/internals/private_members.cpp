@@ -1,5 +1,10 @@
 #include "bullet/internals/private_members.h"
 
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyGearConstraint.h>
+#include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
+#include <BulletDynamics/Featherstone/btMultiBodySliderConstraint.h>
 #include <LinearMath/btTransformUtil.h>
 
 namespace polhode {
@@ -12,6 +17,9 @@ namespace {
 template <class Value>
 struct MemberOfBody {
   using Member = Value btRigidBody::*;
+};
+struct VectorOfMultibody {
+  using Member = btVector3 btMultiBody::*;
 };
 
 // Bullet counts its bodies in it. Everything else that tells two bodies apart can be equal in both:
@@ -28,6 +36,14 @@ struct InverseInertiaTensorW : MemberOfBody<btMatrix3x3> {
   friend Member member_of(InverseInertiaTensorW);
 };
 
+struct BaseForce : VectorOfMultibody {
+  friend Member member_of(BaseForce);
+};
+
+struct BaseTorque : VectorOfMultibody {
+  friend Member member_of(BaseTorque);
+};
+
 template <class Tag, typename Tag::Member member>
 struct Reveal {
   friend typename Tag::Member member_of(Tag) { return member; }
@@ -36,6 +52,8 @@ struct Reveal {
 template struct Reveal<DebugBodyId, &btRigidBody::m_debugBodyId>;
 template struct Reveal<AdditionalDamping, &btRigidBody::m_additionalDamping>;
 template struct Reveal<InverseInertiaTensorW, &btRigidBody::m_invInertiaTensorWorld>;
+template struct Reveal<BaseForce, &btMultiBody::m_baseForce>;
+template struct Reveal<BaseTorque, &btMultiBody::m_baseTorque>;
 
 // A protected member is reached by a pointer to member that is formed in a derived class.
 struct World : btDiscreteDynamicsWorld {
@@ -46,6 +64,21 @@ struct World : btDiscreteDynamicsWorld {
   static constexpr auto kInterpolates = &World::m_latencyMotionStateInterpolation;
   static constexpr auto kShowsAll = &World::m_synchronizeAllMotionStates;
 };
+
+// Each of Bullet's constraints has members of its own for them, by the same names.
+template <class Constraint>
+struct Joined : Constraint {
+  static constexpr auto kRigidBodyA = &Joined::m_rigidBodyA;
+  static constexpr auto kRigidBodyB = &Joined::m_rigidBodyB;
+};
+
+template <class Constraint>
+bool find_rigid_bodies(const btMultiBodyConstraint& constraint, std::array<const btRigidBody*, 2>& found) {
+  const auto* const joint = dynamic_cast<const Constraint*>(&constraint);
+  if (joint != nullptr)
+    found = {joint->*Joined<Constraint>::kRigidBodyA, joint->*Joined<Constraint>::kRigidBodyB};
+  return joint != nullptr;
+}
 
 // Motion states lag a step behind by default, so that a pose between two steps is known.
 bool looks_back(const btDiscreteDynamicsWorld& world) {
@@ -68,6 +101,23 @@ bool has_additional_damping(const btRigidBody& body) {
 
 btMatrix3x3& inverse_inertia_tensor_W(btRigidBody& body) {
   return body.*member_of(InverseInertiaTensorW());
+}
+
+btVector3& base_force(btMultiBody& multibody) {
+  return multibody.*member_of(BaseForce());
+}
+
+btVector3& base_torque(btMultiBody& multibody) {
+  return multibody.*member_of(BaseTorque());
+}
+
+std::array<const btRigidBody*, 2> rigid_bodies_of(const btMultiBodyConstraint& constraint) {
+  std::array<const btRigidBody*, 2> found{};
+  find_rigid_bodies<btMultiBodyPoint2Point>(constraint, found) ||
+      find_rigid_bodies<btMultiBodyFixedConstraint>(constraint, found) ||
+      find_rigid_bodies<btMultiBodySliderConstraint>(constraint, found) ||
+      find_rigid_bodies<btMultiBodyGearConstraint>(constraint, found);
+  return found;
 }
 
 btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world) {

@@ -3,7 +3,12 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <array>
+
 #include "polhode/bullet/precision.h"
+
+class btMultiBody;
+class btMultiBodyConstraint;
 
 /// Members of Bullet 3.24's classes that have no accessor, or none to write with. Everything the library
 /// touches behind Bullet's interface is in this folder; third_party_notes/bullet.md lists it.
@@ -45,6 +50,16 @@ bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world);
 
 /// The pose that synchronizeSingleMotionState, called now, would show of the body.
 btTransform pose_to_show(const btDiscreteDynamicsWorld& world, const btRigidBody& body);
+/// @}
+
+/// @name btMultiBody
+/// @{
+/// The application's, in the world's axes; Bullet only adds to them.
+btVector3& base_force(btMultiBody& multibody);
+btVector3& base_torque(btMultiBody& multibody);
+
+/// The rigid bodies that one of Bullet's constraints joins to a multibody; null where there is none.
+std::array<const btRigidBody*, 2> rigid_bodies_of(const btMultiBodyConstraint& constraint);
 /// @}
 
 }  // namespace POLHODE_PRECISION

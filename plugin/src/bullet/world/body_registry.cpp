@@ -17,14 +17,12 @@ void reserve_one_more(std::vector<Element>& list) {
 
 }  // namespace
 
-bool BodyRegistry::synchronize(const Bodies& list, const SchemeChoices& choices) noexcept {
-  const auto size = static_cast<std::size_t>(list.size());
-  const bool is_unchanged =
-      size == bodies_.size() && (size == 0 || std::equal(bodies_.begin(), bodies_.end(), &list[0]));
+bool BodyRegistry::synchronize(const List& list, const SchemeChoices& choices) noexcept {
+  const bool is_unchanged = std::equal(bodies_.begin(), bodies_.end(), list.first, list.first + list.size);
   if (is_unchanged && !lacks_memory_) return false;
-  const std::size_t size_with_memory = reserve(size);
-  lacks_memory_ = size_with_memory < size;
-  if (!is_unchanged) follow(list, size_with_memory);
+  const std::size_t size_with_memory = reserve(list.size);
+  lacks_memory_ = size_with_memory < list.size;
+  if (!is_unchanged) follow({list.first, size_with_memory});
   for (std::size_t i = 0; i < places_.size(); ++i) {
     if (places_[i].family == kArrived) try_to_add(i, choices);
   }
@@ -49,23 +47,23 @@ std::size_t BodyRegistry::reserve(std::size_t size) noexcept {
   return std::min(size, capacity());
 }
 
-// Brings bodies_ in line with the first `size` bodies of the list, for which there is room.
-void BodyRegistry::follow(const Bodies& list, std::size_t size) noexcept {
+// Brings bodies_ in line with the list, for which there is room.
+void BodyRegistry::follow(const List& list) noexcept {
   // Bodies that are not where they were: gone, or moved within the list.
   const std::size_t former_size = bodies_.size();
   moved_.clear();
   for (std::size_t i = 0; i < former_size; ++i) {
-    const bool stays = i < size && bodies_[i] == list[static_cast<int>(i)];
+    const bool stays = i < list.size && bodies_[i] == list[i];
     if (!stays) moved_.push_back({bodies_[i], std::exchange(places_[i], Place())});
   }
   const auto by_address = [](const Moved& a, const Moved& b) {
     return std::less<const btRigidBody*>()(a.body, b.body);
   };
   std::sort(moved_.begin(), moved_.end(), by_address);
-  bodies_.resize(size);
-  places_.resize(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    btRigidBody* body = list[static_cast<int>(i)];
+  bodies_.resize(list.size);
+  places_.resize(list.size);
+  for (std::size_t i = 0; i < list.size; ++i) {
+    btRigidBody* body = list[i];
     if (i < former_size && bodies_[i] == body) continue;
     bodies_[i] = body;
     const auto found = std::lower_bound(moved_.begin(), moved_.end(), Moved{body, Place()}, by_address);
@@ -106,24 +104,33 @@ void BodyRegistry::all_or_none(const Expect& expect_all) {
   }
 }
 
-void BodyRegistry::apply_choices(const SchemeChoices& choices) {
-  const auto has_other = [&](std::size_t index, const SchemePointer& wanted) {
-    const Batch* batch = lane_at(index).batch;
-    return is_replaced(index) || (batch == nullptr ? nullptr : batch->scheme.get()) != wanted.get();
-  };
+bool BodyRegistry::has_other_scheme(std::size_t index, const SchemePointer& wanted) const {
+  const Batch* batch = lane_at(index).batch;
+  return is_replaced(index) || (batch == nullptr ? nullptr : batch->scheme.get()) != wanted.get();
+}
+
+void BodyRegistry::expect_choices(const SchemeChoices& choices) {
   all_or_none([&] {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
-      if (wanted != nullptr && has_other(i, wanted)) expect(wanted);
+      if (wanted != nullptr && has_other_scheme(i, wanted)) expect(wanted);
     }
   });
+}
+
+void BodyRegistry::adopt_choices(const SchemeChoices& choices) noexcept {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
-    if (!has_other(i, wanted)) continue;
+    if (!has_other_scheme(i, wanted)) continue;
     remove(i);
     add(i, wanted);
   }
   list_batches();
+}
+
+void BodyRegistry::apply_choices(const SchemeChoices& choices) {
+  expect_choices(choices);
+  adopt_choices(choices);
 }
 
 void BodyRegistry::restart(btRigidBody& body, const SchemePointer& scheme) {

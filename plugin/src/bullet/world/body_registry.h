@@ -1,7 +1,5 @@
 #pragma once
 
-#include <LinearMath/btAlignedObjectArray.h>
-
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -20,11 +18,17 @@ inline namespace POLHODE_PRECISION {
 /// A function that throws std::bad_alloc changes nothing.
 class BodyRegistry {
  public:
-  using Bodies = btAlignedObjectArray<btRigidBody*>;
+  /// A list of bodies that somebody else holds.
+  struct List {
+    btRigidBody* const* first;
+    std::size_t size;
 
-  /// Brings the batches in line with the world's list. Cheap where the list is as it was; then returns false.
+    btRigidBody* operator[](std::size_t index) const { return first[index]; }
+  };
+
+  /// Brings the batches in line with the list. Cheap where the list is as it was; then returns false.
   /// Bodies for which there is no memory stay with Bullet; the next call tries again.
-  bool synchronize(const Bodies& list, const SchemeChoices& choices) noexcept;
+  bool synchronize(const List& list, const SchemeChoices& choices) noexcept;
   /// Returns whether there are such bodies.
   bool lacks_memory() const { return lacks_memory_; }
   /// Counts the calls of synchronize that returned true, and those of clear.
@@ -32,6 +36,13 @@ class BodyRegistry {
   /// Gives each body of the list the scheme that is chosen for it, starting afresh where that is another one,
   /// and where a new body has come to the address of an old one. To be called after synchronize.
   void apply_choices(const SchemeChoices& choices);
+  /// @name The two parts of apply_choices, so that two registries change together or not at all
+  /// @{
+  void expect_choices(const SchemeChoices& choices);
+  void adopt_choices(const SchemeChoices& choices) noexcept;
+  /// In place of adopt_choices.
+  void expect_nothing() noexcept { list_batches(); }
+  /// @}
   /// Gives one body of the list this scheme, starting afresh in any case. Null: Bullet rotates it.
   void restart(btRigidBody& body, const SchemePointer& scheme);
   void clear();
@@ -79,9 +90,10 @@ class BodyRegistry {
 
   static bool has_lane(const Place& place) { return place.family < kArrived; }
   std::size_t reserve(std::size_t size) noexcept;
-  void follow(const Bodies& list, std::size_t size) noexcept;
+  void follow(const List& list) noexcept;
   void try_to_add(std::size_t index, const SchemeChoices& choices) noexcept;
   void expect(const SchemePointer& scheme);
+  bool has_other_scheme(std::size_t index, const SchemePointer& wanted) const;
   template <class Expect>
   void all_or_none(const Expect& expect_all);
   void add(std::size_t index, const SchemePointer& scheme) noexcept;

@@ -1,5 +1,6 @@
 #include "polhode/bullet/rotation_control.h"
 
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <LinearMath/btQuickprof.h>
 
 #include <stdexcept>
@@ -12,15 +13,29 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-btRigidBody& require_body(btCollisionObject& object) {
-  btRigidBody* body = btRigidBody::upcast(&object);
-  if (body == nullptr) {
+btMultiBody& require_one_body(btMultiBody& multibody) {
+  if (multibody.hasFixedBase() || multibody.getVelocityVector() == nullptr) {
     throw std::invalid_argument(
-        "only a btRigidBody can be rotated by a scheme; this collision object is none (the links of a "
-        "btMultiBody "
-        "are turned by their joints)");
+        "this btMultiBody does not turn: its base is fixed, or it has not been through finalizeMultiDof");
   }
-  return *body;
+  if (!turns_as_one_body(multibody)) {
+    throw std::invalid_argument(
+        "a btMultiBody with links that move cannot be rotated by a scheme: they turn each other, and Bullet "
+        "turns "
+        "them all; one without links, or with fixed ones only, can");
+  }
+  return multibody;
+}
+
+// What stands for the object in the choices.
+btRigidBody& require_body(WorldStepper& stepper, btCollisionObject& object) {
+  if (btRigidBody* const body = btRigidBody::upcast(&object)) return *body;
+  const btMultiBodyLinkCollider* const collider = btMultiBodyLinkCollider::upcast(&object);
+  if (collider == nullptr || collider->m_multiBody == nullptr) {
+    throw std::invalid_argument(
+        "only a btRigidBody or a btMultiBody can be rotated by a scheme; this collision object is neither");
+  }
+  return stepper.proxy_of(require_one_body(*collider->m_multiBody));
 }
 
 SchemePointer require_scheme(SchemePointer scheme) {
@@ -29,6 +44,15 @@ SchemePointer require_scheme(SchemePointer scheme) {
         "the scheme is a null pointer: give a scheme, or use release / clear_default_scheme");
   }
   return scheme;
+}
+
+BodyRotation require_managed(const BodyRegistry::Lane& place) {
+  if (place.batch == nullptr) {
+    throw std::invalid_argument(
+        "this body is not rotated by the library: it was released, is static or kinematic, is not in the "
+        "world, or the world has no default scheme");
+  }
+  return place.batch->rotation(place.lane);
 }
 
 }  // namespace
@@ -54,35 +78,52 @@ void RotationControl::set_scheme(btCollisionObject& body, std::string_view name)
 }
 
 void RotationControl::set_scheme(btCollisionObject& body, SchemePointer scheme) {
-  btRigidBody& rigid_body = require_body(body);
-  if (rigid_body.isStaticObject()) {
+  btRigidBody& rotated = require_body(*stepper_, body);
+  if (rotated.isStaticObject()) {
     throw std::invalid_argument(
         "a static body (mass 0) does not turn: a scheme can be set for dynamic bodies");
   }
-  stepper_->choose(rigid_body, require_scheme(std::move(scheme)));
+  stepper_->choose(rotated, require_scheme(std::move(scheme)));
+}
+
+void RotationControl::set_scheme(btMultiBody& multibody, std::string_view name) {
+  set_scheme(multibody, find_scheme(name));
+}
+
+void RotationControl::set_scheme(btMultiBody& multibody, SchemePointer scheme) {
+  stepper_->choose(stepper_->proxy_of(require_one_body(multibody)), require_scheme(std::move(scheme)));
 }
 
 void RotationControl::use_default_scheme(btCollisionObject& body) {
-  stepper_->choose_default(require_body(body));
+  stepper_->choose_default(require_body(*stepper_, body));
+}
+
+void RotationControl::use_default_scheme(btMultiBody& multibody) {
+  stepper_->choose_default(stepper_->proxy_of(require_one_body(multibody)));
 }
 
 void RotationControl::release(btCollisionObject& body) {
-  stepper_->choose(require_body(body), nullptr);
+  stepper_->choose(require_body(*stepper_, body), nullptr);
+}
+
+void RotationControl::release(btMultiBody& multibody) {
+  stepper_->choose(stepper_->proxy_of(require_one_body(multibody)), nullptr);
 }
 
 bool RotationControl::manages(const btRigidBody& body) const {
   return stepper_->find(body).batch != nullptr;
 }
 
+bool RotationControl::manages(const btMultiBody& multibody) const {
+  return stepper_->find(multibody).batch != nullptr;
+}
+
 BodyRotation RotationControl::rotation_of(const btRigidBody& body) const {
-  const BodyRegistry::Lane place = stepper_->find(body);
-  if (place.batch == nullptr) {
-    throw std::invalid_argument(
-        "this body is not rotated by the library: it was released, is static or kinematic, is not in the "
-        "world, "
-        "or the world has no default scheme");
-  }
-  return place.batch->rotation(place.lane);
+  return require_managed(stepper_->find(body));
+}
+
+BodyRotation RotationControl::rotation_of(const btMultiBody& multibody) const {
+  return require_managed(stepper_->find(multibody));
 }
 
 std::size_t RotationControl::managed_bodies() const {
@@ -90,12 +131,12 @@ std::size_t RotationControl::managed_bodies() const {
 }
 
 void RotationControl::set_incident_handler(IncidentHandler handler) {
-  stepper_->handler =
+  stepper_->incidents.handler =
       handler == nullptr ? nullptr : std::make_shared<const IncidentHandler>(std::move(handler));
 }
 
 std::uint64_t RotationControl::incidents() const {
-  return stepper_->incidents;
+  return stepper_->incidents.count;
 }
 
 void RotationControl::predict_unconstrained_motion(btScalar dt, const BulletsStage& bullet) {

@@ -1,7 +1,6 @@
 #include "bullet/world/world_stepper.h"
 
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
-#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 
 #include <algorithm>
 #include <mutex>
@@ -13,7 +12,6 @@
 
 #include "bullet/batch/stages.h"
 #include "bullet/body/integrated_pose.h"
-#include "bullet/body/non_finite.h"
 #include "bullet/internals/body_list.h"
 #include "bullet/internals/prefetch.h"
 #include "bullet/world/parallel_loop.h"
@@ -27,19 +25,25 @@ namespace {
 // Long enough that handing a part to a thread does not show, short enough that the threads end together.
 constexpr int kBatchesInPart = 32;
 
-constexpr IncidentKind kKindsInOrder[kIncidentKinds] = {IncidentKind::non_finite_body,
-                                                        IncidentKind::scheme_diverged};
-
 btDiscreteDynamicsWorld& require_discrete(btDynamicsWorld& world) {
   const btDynamicsWorldType type = world.getWorldType();
-  if (type == BT_DISCRETE_DYNAMICS_WORLD || type == BT_SOFT_RIGID_DYNAMICS_WORLD) {
+  if (type == BT_DISCRETE_DYNAMICS_WORLD || type == BT_SOFT_RIGID_DYNAMICS_WORLD ||
+      type == BT_SOFT_MULTIBODY_DYNAMICS_WORLD) {
     return static_cast<btDiscreteDynamicsWorld&>(world);
+  }
+  if (type == BT_DEFORMABLE_MULTIBODY_DYNAMICS_WORLD) {
+    throw std::invalid_argument(
+        "the bodies of a btDeformableMultiBodyDynamicsWorld cannot be rotated by a scheme: it steps rigid "
+        "and "
+        "deformable bodies together, in a solver of its own. Put the rigid bodies into another world, such "
+        "as "
+        "btSoftMultiBodyDynamicsWorld");
   }
   throw std::invalid_argument(
       "the bodies of this kind of world cannot be rotated by a scheme (btDynamicsWorldType " +
       std::to_string(type) +
       "): valid are btDiscreteDynamicsWorld, btDiscreteDynamicsWorldMt, btSoftRigidDynamicsWorld, "
-      "btMultiBodyDynamicsWorld and classes derived from them");
+      "btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld and classes derived from them");
 }
 
 // Each stage fetches what it needs of a batch and its bodies while the one before is computed.
@@ -70,6 +74,21 @@ void prefetch_for_integration(const Batch& batch) {
   }
 }
 
+void prefetch_multibodies(const Batch& batch) {
+  prefetch(&batch, &batch + 1);
+  for (btRigidBody* body : batch.bodies) {
+    if (body != nullptr) MultibodyProxy::of(*body).prefetch();
+  }
+}
+
+// function(proxy, lane) for those of the lanes that have a body.
+template <class Function>
+void for_proxies(const Batch& batch, LaneBits lanes, const Function& function) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (lanes[lane] && batch.bodies[lane] != nullptr) function(MultibodyProxy::of(*batch.bodies[lane]), lane);
+  }
+}
+
 // Returns those of the lanes that continuous collision detection will not stop in this step.
 LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& context) {
   for (std::size_t lane = 0; lane < kLanes && batch.may_be_clamped.any(); ++lane) {
@@ -79,45 +98,9 @@ LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& contex
   return lanes;
 }
 
-// A joint's partner may stand for the world, or belong to no world.
-void mark(const btCollisionObject& object, std::vector<char>& is_constrained) {
-  const auto index = static_cast<std::size_t>(object.getWorldArrayIndex());
-  if (object.getWorldArrayIndex() >= 0 && index < is_constrained.size()) is_constrained[index] = 1;
-}
-
-// Marks, by btCollisionObject::getWorldArrayIndex, the objects that the coming solve may constrain: those in
-// an enabled joint, and those in a manifold that has contact points and is answered (a trigger's is not).
-// If there is no memory for all of the marks, those at the end are missing.
-void find_constrained_bodies(btDiscreteDynamicsWorld& world, std::vector<char>& is_constrained) {
-  const auto wanted = static_cast<std::size_t>(world.getNumCollisionObjects());
-  is_constrained.clear();
-  try {
-    is_constrained.reserve(wanted);
-  } catch (const std::bad_alloc&) {
-  }
-  is_constrained.resize(std::min(wanted, is_constrained.capacity()), 0);
-  btDispatcher& dispatcher = *world.getDispatcher();
-  constexpr int kAhead = 8;
-  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-    if (i + kAhead < dispatcher.getNumManifolds())
-      prefetch(*dispatcher.getManifoldByIndexInternal(i + kAhead));
-    const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-    if (manifold.getNumContacts() == 0) continue;
-    if (!dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1())) continue;
-    mark(*manifold.getBody0(), is_constrained);
-    mark(*manifold.getBody1(), is_constrained);
-  }
-  for (int i = 0; i < world.getNumConstraints(); ++i) {
-    const btTypedConstraint& joint = *world.getConstraint(i);
-    if (!joint.isEnabled()) continue;
-    mark(joint.getRigidBodyA(), is_constrained);
-    mark(joint.getRigidBodyB(), is_constrained);
-  }
-}
-
 }  // namespace
 
-WorldStepper::WorldStepper(btDynamicsWorld& world) : world_(&require_discrete(world)) {
+WorldStepper::WorldStepper(btDynamicsWorld& world) : world_(&require_discrete(world)), multibodies_(world) {
   require_matching_bullet();
   attach();
 }
@@ -134,23 +117,34 @@ void WorldStepper::attach() {
 }
 
 void WorldStepper::detach() {
-  registry_.clear();
+  rigid_.registry.clear();
+  of_multibodies_.registry.clear();
   claim_.release();
 }
 
 void WorldStepper::world_is_gone() noexcept {
   detach();
   world_ = nullptr;
+  multibodies_.world_is_gone();
 }
 
 void WorldStepper::synchronize() noexcept {
-  if (registry_.synchronize(bodies(), choices_)) choices_.bodies_changed();
+  const auto follow = [this](BodyGroup& group, btRigidBody* const* first, std::size_t size) {
+    if (group.registry.synchronize({first, size}, choices_)) choices_.bodies_changed();
+  };
+  const auto count = static_cast<std::size_t>(bodies().size());
+  follow(rigid_, count == 0 ? nullptr : &bodies()[0], count);
+  multibodies_.synchronize();
+  follow(of_multibodies_, multibodies_.bodies().data(), multibodies_.size());
 }
 
 void WorldStepper::synchronize_all() {
   synchronize();
-  if (registry_.lacks_memory()) throw std::bad_alloc();
-  is_constrained_.reserve(static_cast<std::size_t>(world_->getNumCollisionObjects()));
+  if (rigid_.registry.lacks_memory() || of_multibodies_.registry.lacks_memory() ||
+      multibodies_.lacks_memory())
+    throw std::bad_alloc();
+  rigid_.is_constrained.reserve(static_cast<std::size_t>(world_->getNumCollisionObjects()));
+  of_multibodies_.is_constrained.reserve(multibodies_.size());
   left_to_bullet_.reserve(static_cast<std::size_t>(bodies().size()));
 }
 
@@ -160,11 +154,15 @@ void WorldStepper::set_default_scheme(SchemePointer scheme) {
   std::swap(choices_.default_scheme, scheme);
   if (!claim_.holds()) return;
   try {
-    registry_.apply_choices(choices_);
+    rigid_.registry.expect_choices(choices_);
+    of_multibodies_.registry.expect_choices(choices_);
   } catch (...) {
+    rigid_.registry.expect_nothing();
     std::swap(choices_.default_scheme, scheme);
     throw;
   }
+  rigid_.registry.adopt_choices(choices_);
+  of_multibodies_.registry.adopt_choices(choices_);
 }
 
 void WorldStepper::choose(btRigidBody& body, SchemePointer scheme) {
@@ -183,7 +181,8 @@ void WorldStepper::choose_default(btRigidBody& body) {
 void WorldStepper::restart(btRigidBody& body, const SchemePointer& scheme) {
   if (!claim_.holds()) return;
   synchronize_all();
-  registry_.restart(body, scheme);
+  rigid_.registry.restart(body, scheme);
+  of_multibodies_.registry.restart(body, scheme);
 }
 
 BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
@@ -192,19 +191,32 @@ BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
   const btCollisionObjectArray& objects = world_->getCollisionObjectArray();
   const bool is_in_world = index >= 0 && index < objects.size() && objects[index] == &body;
   if (!is_in_world) return {nullptr, 0};
-  const BodyRegistry::Lane known = registry_.find(body, choices_);
+  const BodyRegistry::Lane known = rigid_.registry.find(body, choices_);
   if (known.batch != nullptr) return known;
   synchronize();
-  return registry_.find(body, choices_);
+  return rigid_.registry.find(body, choices_);
+}
+
+BodyRegistry::Lane WorldStepper::find(const btMultiBody& multibody) {
+  if (world_ == nullptr || !claim_.holds() || multibody.isBaseStaticOrKinematic()) return {nullptr, 0};
+  if (!multibodies_.has(multibody)) synchronize();
+  const int index = multibodies_.index_of(multibody);
+  if (index < 0) return {nullptr, 0};
+  MultibodyProxy& proxy = multibodies_[static_cast<std::size_t>(index)];
+  proxy.read();
+  return of_multibodies_.registry.find(proxy.body(), choices_);
 }
 
 std::size_t WorldStepper::managed_bodies() {
   if (world_ == nullptr || !claim_.holds()) return 0;
   synchronize();
   std::size_t count = 0;
-  for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
-    count +=
-        registry_.lane_at(i).batch != nullptr && !registry_.bodies()[i]->isStaticOrKinematicObject() ? 1 : 0;
+  for (const BodyGroup* group : {&rigid_, &of_multibodies_}) {
+    const BodyRegistry& registry = group->registry;
+    for (std::size_t i = 0; i < registry.bodies().size(); ++i) {
+      count +=
+          registry.lane_at(i).batch != nullptr && !registry.bodies()[i]->isStaticOrKinematicObject() ? 1 : 0;
+    }
   }
   return count;
 }
@@ -220,14 +232,14 @@ BulletTurn* WorldStepper::bullet_of_this_thread() noexcept {
 }
 
 template <class Prefetch, class Function>
-void WorldStepper::for_batches(btScalar dt, const Prefetch& prefetch_batch, const Function& function) {
-  const bool takes_effective_inertia = world_->getConstraintSolver()->getSolverType() != BT_MLCP_SOLVER;
-  const std::vector<Batch*>& batches = registry_.batches();
+void WorldStepper::for_batches(btScalar dt, const BodyGroup& group, const Prefetch& prefetch_batch,
+                               const Function& function) {
+  const std::vector<Batch*>& batches = group.registry.batches();
   for_parts(batches.size(), kBatchesInPart, [&](std::size_t first, std::size_t last) {
     BulletTurn* const own_bullet = bullet_of_this_thread();
     std::unique_lock<std::mutex> lock(spare_mutex_, std::defer_lock);
     if (own_bullet == nullptr) lock.lock();
-    const StepContext context = {dt, is_constrained_, takes_effective_inertia,
+    const StepContext context = {dt, group.is_constrained, group.solver_takes_effective_inertia,
                                  own_bullet != nullptr ? *own_bullet : spare_bullet_};
     for (std::size_t i = first; i < last; ++i) {
       if (i + 1 < last) prefetch_batch(*batches[i + 1]);
@@ -244,18 +256,18 @@ bool WorldStepper::share_with_bullet(btScalar dt, const Prefetch& prefetch_batch
   try {
     left_to_bullet_.reserve(static_cast<std::size_t>(bodies().size()));
   } catch (const std::bad_alloc&) {
-    for (Batch* batch : registry_.batches()) batch->of_library = LaneBits();
+    for (Batch* batch : rigid_.registry.batches()) batch->of_library = LaneBits();
     bullet();
     return false;
   }
   std::atomic<int> count{0};
-  for_batches(dt, prefetch_batch, [&](Batch& batch, const StepContext& context) {
+  for_batches(dt, rigid_, prefetch_batch, [&](Batch& batch, const StepContext& context) {
     batch.of_library = function(batch, context);
     count.fetch_add(static_cast<int>(batch.of_library.count()), std::memory_order_relaxed);
   });
   left_to_bullet_.clear();
   for (int i = 0; i < bodies().size() && count < bodies().size(); ++i) {
-    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), *bodies()[i]);
+    const BodyRegistry::Lane place = rigid_.registry.lane_at(static_cast<std::size_t>(i), *bodies()[i]);
     if (place.batch == nullptr || !place.batch->of_library[place.lane]) left_to_bullet_.push_back(i);
   }
   run_for(left_to_bullet_, bodies(), bullet);
@@ -274,7 +286,7 @@ void WorldStepper::predict_unconstrained_motion(btScalar dt, const BulletsStage&
       },
       bullet);
   if (is_shared) return;
-  for (Batch* batch : registry_.batches()) batch->may_be_clamped = ~LaneBits();
+  for (Batch* batch : rigid_.registry.batches()) batch->may_be_clamped = ~LaneBits();
   some_may_be_clamped_ = true;
 }
 
@@ -293,25 +305,54 @@ void WorldStepper::create_predictive_contacts(btScalar dt, const BulletsStage& b
 void WorldStepper::before_solve() noexcept {
   if (world_ == nullptr || !claim_.holds()) return;
   synchronize();
+  multibodies_.forget_absent();
   forget_choices_of_gone();
-  find_constrained_bodies(*world_, is_constrained_);
   const btScalar dt = world_->getDispatchInfo().m_timeStep;
-  const auto before_solve_of = [](Batch& batch, const StepContext& context) {
-    polhode::before_solve(batch, context);
-  };
-  has_replaced_bodies_ = registry_.has_replaced_bodies_left_to_bullet();
-  for_batches(dt, prefetch_for_solve, before_solve_of);
+  before_solve_of_bodies(dt);
+  if (multibodies_.size() > 0) before_solve_of_multibodies(dt);
+}
+
+void WorldStepper::before_solve_of_bodies(btScalar dt) noexcept {
+  find_constrained_bodies(*world_, rigid_.is_constrained);
+  rigid_.solver_takes_effective_inertia = world_->getConstraintSolver()->getSolverType() != BT_MLCP_SOLVER;
+  has_replaced_bodies_ = rigid_.registry.has_replaced_bodies_left_to_bullet();
+  for_batches(dt, rigid_, prefetch_for_solve, polhode::before_solve);
   if (has_replaced_bodies_ && apply_choices_if_possible())
-    for_batches(dt, prefetch_for_solve, before_solve_of);
-  forget_contacts_of_sanitized();
+    for_batches(dt, rigid_, prefetch_for_solve, polhode::before_solve);
+  if (has_incident_) forget_contacts_of_sanitized(rigid_, *world_->getDispatcher());
+}
+
+void WorldStepper::before_solve_of_multibodies(btScalar dt) noexcept {
+  find_constrained_multibodies(multibodies_, of_multibodies_.is_constrained);
+  for_batches(dt, of_multibodies_, prefetch_multibodies, [](Batch& batch, const StepContext& context) {
+    for_proxies(batch, ~LaneBits(), [](MultibodyProxy& proxy, std::size_t) { proxy.read(); });
+    polhode::before_solve(batch, context);
+    for_proxies(batch, batch.in_solve, [&batch](MultibodyProxy& proxy, std::size_t lane) {
+      proxy.give_to_solver(batch.constrained[lane]);
+    });
+  });
+  if (has_incident_) forget_contacts_of_sanitized(of_multibodies_, *world_->getDispatcher());
+}
+
+void WorldStepper::after_integration_of_multibodies(btScalar dt) noexcept {
+  for_batches(dt, of_multibodies_, prefetch_multibodies, [](Batch& batch, const StepContext& context) {
+    const LaneBits lanes = batch.in_solve;
+    for_proxies(batch, lanes,
+                [&context](MultibodyProxy& proxy, std::size_t) { proxy.read_solved(context.dt); });
+    after_solve(batch, lanes, PoseIntegratedBy::library, context);
+    for_proxies(batch, lanes, [&batch](MultibodyProxy& proxy, std::size_t lane) {
+      if (moves(proxy.body())) proxy.write(batch.state(lane).q_WB);
+    });
+  });
 }
 
 // The next step will do as well.
 void WorldStepper::forget_choices_of_gone() noexcept {
   if (!choices_.changed()) return;
   try {
-    const std::unordered_set<const btRigidBody*> present(registry_.bodies().begin(),
-                                                         registry_.bodies().end());
+    std::unordered_set<const btRigidBody*> present(rigid_.registry.bodies().begin(),
+                                                   rigid_.registry.bodies().end());
+    present.insert(multibodies_.bodies().begin(), multibodies_.bodies().end());
     choices_.keep_only([&](const btRigidBody* body) { return present.count(body) != 0; });
   } catch (const std::bad_alloc&) {
   }
@@ -320,7 +361,7 @@ void WorldStepper::forget_choices_of_gone() noexcept {
 // Bodies that have replaced others are left to Bullet until it is.
 bool WorldStepper::apply_choices_if_possible() noexcept {
   try {
-    registry_.apply_choices(choices_);
+    rigid_.registry.apply_choices(choices_);
     return true;
   } catch (const std::bad_alloc&) {
     return false;
@@ -330,12 +371,21 @@ bool WorldStepper::apply_choices_if_possible() noexcept {
 void WorldStepper::after_integration(btScalar dt) noexcept {
   if (world_ == nullptr || !claim_.holds()) return;
   synchronize();
-  for_batches(dt, prefetch_for_integration, [](Batch& batch, const StepContext& context) {
+  for_batches(dt, rigid_, prefetch_for_integration, [](Batch& batch, const StepContext& context) {
     const LaneBits left_to_bullet = ~(batch.in_solve | batch.of_library);
     after_solve(batch, batch.in_solve, PoseIntegratedBy::bullet, context);
     sanitize_left_to_bullet(batch, left_to_bullet);
   });
-  report();
+  end_step(dt);
+}
+
+void WorldStepper::end_step(btScalar dt) {
+  if (multibodies_.size() > 0) after_integration_of_multibodies(dt);
+  if (!has_incident_) return;
+  has_incident_ = false;
+  incidents.report({&rigid_, &of_multibodies_}, *world_->getDispatcher(), [this] {
+    if (claim_.holds()) synchronize();
+  });
 }
 
 void WorldStepper::integrate_transforms(btScalar dt, const BulletsStage& bullet) {
@@ -352,7 +402,7 @@ void WorldStepper::integrate_transforms(btScalar dt, const BulletsStage& bullet)
   };
   const bool is_shared = share_with_bullet(dt, prefetch_for_integration, integrate, bullet);
   if (is_shared && left_to_bullet_.empty()) {
-    report();
+    end_step(dt);
   } else {
     after_integration(dt);
   }
@@ -370,7 +420,7 @@ void WorldStepper::synchronize_motion_states(const BulletsStage& bullet) {
     if (i + 2 * kAhead < bodies().size()) prefetch_for_motion_state(*bodies()[i + 2 * kAhead]);
     if (i + kAhead < bodies().size()) prefetch_motion_state(*bodies()[i + kAhead]);
     btRigidBody& body = *bodies()[i];
-    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), body);
+    const BodyRegistry::Lane place = rigid_.registry.lane_at(static_cast<std::size_t>(i), body);
     if (place.batch != nullptr) {
       show(*place.batch, place.lane, body, body.getInterpolationWorldTransform());
     } else if (body.isActive()) {
@@ -383,66 +433,10 @@ void WorldStepper::show_swollen_bodies() {
   if (world_ == nullptr || !claim_.holds()) return;
   for (int i = 0; i < bodies().size(); ++i) {
     btRigidBody& body = *bodies()[i];
-    const BodyRegistry::Lane place = registry_.lane_at(static_cast<std::size_t>(i), body);
+    const BodyRegistry::Lane place = rigid_.registry.lane_at(static_cast<std::size_t>(i), body);
     if (place.batch != nullptr && !place.batch->keeps_rotation)
       show(*place.batch, place.lane, body, pose_to_show(*world_, body));
   }
-}
-
-// Collision detection went by where such a body was: its contacts may hold numbers that are not finite.
-void WorldStepper::forget_contacts_of_sanitized() {
-  for (std::size_t i = 0; i < registry_.bodies().size() && has_incident_; ++i) {
-    const BodyRegistry::Lane place = registry_.lane_at(i);
-    if (place.batch != nullptr && place.batch->lanes_with_incident()[place.lane])
-      forget_contacts(*world_->getDispatcher(), *registry_.bodies()[i]);
-  }
-}
-
-// When every body is done, since the handler may release, reassign or remove bodies.
-void WorldStepper::report() {
-  if (!has_incident_) return;
-  has_incident_ = false;
-  for (std::size_t i = 0; i < registry_.bodies().size(); ++i) {
-    const BodyRegistry::Lane place = registry_.lane_at(i);
-    if (place.batch == nullptr) continue;
-    for (const IncidentKind kind : kKindsInOrder) {
-      LaneBits& to_report = place.batch->to_report[static_cast<std::size_t>(kind)];
-      const LaneBits& reported = place.batch->reported[static_cast<std::size_t>(kind)];
-      if (!to_report[place.lane]) continue;
-      ++incidents;
-      if (kind == IncidentKind::non_finite_body)
-        forget_contacts(*world_->getDispatcher(), *registry_.bodies()[i]);
-      if (handler == nullptr || reported[place.lane]) to_report.reset(place.lane);
-    }
-  }
-  if (handler != nullptr) tell_handler();
-}
-
-// Goes through the bodies themselves: a list of the incidents would take memory.
-void WorldStepper::tell_handler() {
-  const std::shared_ptr<const IncidentHandler> present_handler = handler;
-  for (std::size_t i = 0; i < registry_.bodies().size();) {
-    const std::uint64_t changes = registry_.changes();
-    for (const IncidentKind kind : kKindsInOrder) {
-      if (registry_.changes() == changes) tell_of(i, kind, *present_handler);
-    }
-    i = registry_.changes() == changes ? i + 1 : 0;  // other bodies may have taken the places before
-  }
-}
-
-void WorldStepper::tell_of(std::size_t index, IncidentKind kind, const IncidentHandler& present_handler) {
-  const BodyRegistry::Lane place = registry_.lane_at(index);
-  if (place.batch == nullptr || registry_.is_replaced(index)) return;
-  LaneBits& to_report = place.batch->to_report[static_cast<std::size_t>(kind)];
-  if (!to_report[place.lane]) return;
-  to_report.reset(place.lane);
-  place.batch->reported[static_cast<std::size_t>(kind)].set(place.lane);
-  try {
-    present_handler({kind, registry_.bodies()[index], place.batch->steps[place.lane]});
-  } catch (...) {  // nothing may be thrown through Bullet's step
-  }
-  // The handler may have taken bodies out of the world, and deleted them, or detached the plugin.
-  if (claim_.holds()) synchronize();
 }
 
 }  // namespace POLHODE_PRECISION

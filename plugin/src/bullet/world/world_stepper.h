@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "bullet/batch/step_context.h"
-#include "bullet/world/body_registry.h"
+#include "bullet/world/body_group.h"
+#include "bullet/world/incident_report.h"
+#include "bullet/world/multibodies.h"
 #include "bullet/world/world_claim.h"
 
 namespace polhode {
@@ -34,6 +36,9 @@ class WorldStepper {
   void choose_default(btRigidBody& body);
   /// Batch null: the library does not rotate the body.
   BodyRegistry::Lane find(const btRigidBody& body);
+  BodyRegistry::Lane find(const btMultiBody& multibody);
+  /// The body that stands for it in choose and choose_default.
+  btRigidBody& proxy_of(btMultiBody& multibody) { return multibodies_.proxy_of(multibody).body(); }
   std::size_t managed_bodies();
   /// @throws std::logic_error if the world is gone.
   btDiscreteDynamicsWorld& world() const;
@@ -56,12 +61,12 @@ class WorldStepper {
   void show_swollen_bodies();
   /// @}
 
-  /// Shared, since it may be replaced while it runs. Null: none.
-  std::shared_ptr<const IncidentHandler> handler;
-  std::uint64_t incidents = 0;
+  IncidentReport incidents;
 
  private:
-  BodyRegistry::Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
+  using Bodies = btAlignedObjectArray<btRigidBody*>;
+
+  Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
   void synchronize() noexcept;
   /// Takes the memory that a step of all these bodies wants, but for what the first one in a joint or a contact
   /// takes.
@@ -72,24 +77,27 @@ class WorldStepper {
   BulletTurn* bullet_of_this_thread() noexcept;
   /// function(batch, context) for each batch, on all threads; prefetch_batch(batch) for the next one.
   template <class Prefetch, class Function>
-  void for_batches(btScalar dt, const Prefetch& prefetch_batch, const Function& function);
+  void for_batches(btScalar dt, const BodyGroup& group, const Prefetch& prefetch_batch,
+                   const Function& function);
   /// lanes = function(batch, context) are the library's in this stage: Bullet's loop skips their bodies.
   /// Returns false if function was not called, for want of memory: then Bullet's loop runs over all bodies.
   template <class Prefetch, class Function>
   bool share_with_bullet(btScalar dt, const Prefetch& prefetch_batch, const Function& function,
                          const BulletsStage& bullet);
+  void before_solve_of_bodies(btScalar dt) noexcept;
+  void before_solve_of_multibodies(btScalar dt) noexcept;
+  void after_integration_of_multibodies(btScalar dt) noexcept;
   void forget_choices_of_gone() noexcept;
   bool apply_choices_if_possible() noexcept;
-  void forget_contacts_of_sanitized();
-  void report();
-  void tell_handler();
-  void tell_of(std::size_t index, IncidentKind kind, const IncidentHandler& present_handler);
+  /// After everything that Bullet does to the bodies.
+  void end_step(btScalar dt);
 
   btDiscreteDynamicsWorld* world_;
   WorldClaim claim_;
   SchemeChoices choices_;
-  BodyRegistry registry_;
-  std::vector<char> is_constrained_;  // by btCollisionObject::getWorldArrayIndex
+  BodyGroup rigid_{nullptr};
+  Multibodies multibodies_;
+  BodyGroup of_multibodies_{&multibodies_};
   std::array<std::unique_ptr<BulletTurn>, BT_MAX_THREAD_COUNT> bullet_of_threads_;
   BulletTurn spare_bullet_;  // of threads that have none, one at a time
   std::mutex spare_mutex_;

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+
+#include "bullet/world/body_registry.h"
+#include "bullet/world/constrained_bodies.h"
+#include "bullet/world/multibodies.h"
+
+namespace polhode {
+inline namespace POLHODE_PRECISION {
+
+/// Bodies of a world that step together: its rigid bodies, or the proxies of its multibodies.
+struct BodyGroup {
+  const Multibodies* multibodies;  ///< null: the bodies are the world's own
+  BodyRegistry registry{};
+  ConstrainedMarks is_constrained{};
+  /// False for solvers that assume a symmetric inverse inertia, or have one of their own.
+  bool solver_takes_effective_inertia = false;
+
+  /// Null for a rigid body.
+  btMultiBody* multibody(std::size_t index) const {
+    return multibodies == nullptr ? nullptr : &(*multibodies)[index].multibody();
+  }
+  /// Null for a multibody whose base has no collider.
+  const btCollisionObject* collision_object(std::size_t index) const {
+    if (multibodies == nullptr) return registry.bodies()[index];
+    return multibody(index)->getBaseCollider();
+  }
+};
+
+}  // namespace POLHODE_PRECISION
+}  // namespace polhode
