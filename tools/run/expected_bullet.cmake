@@ -1,0 +1,13 @@
+# Writes a header that names the Bullet which each adapter was linked to. An adapter that was not built is empty.
+foreach(bits 32 64)
+  set(name "")
+  if(adapter${bits})
+    execute_process(COMMAND ${objdump} -p ${adapter${bits}} OUTPUT_VARIABLE dynamic_section)
+    if(NOT dynamic_section MATCHES "NEEDED +(libBulletDynamics[^\n]*)")
+      message(FATAL_ERROR "polhode: ${adapter${bits}} is not linked to a shared libBulletDynamics")
+    endif()
+    set(name ${CMAKE_MATCH_1})
+  endif()
+  string(APPEND constants "inline constexpr char kExpectedBullet${bits}[] = \"${name}\";\n")
+endforeach()
+file(WRITE ${output} "#pragma once\n\nnamespace polhode::run {\n\n${constants}\n}  // namespace polhode::run\n")

@@ -1,0 +1,12 @@
+#pragma once
+
+namespace polhode::run {
+
+/// Prints "polhode-run: " and the line on standard error, in one piece and control characters replaced.
+/// Uses no more than the C library: every program that the program starts loads the interposer too.
+void report(const char* line);
+
+/// Writes a text to a descriptor; returns false if that fails.
+bool write_all(int descriptor, const char* text);
+
+}  // namespace polhode::run

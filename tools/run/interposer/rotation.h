@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+
+#include "run/adapter/adapter.h"
+#include "run/interposer/world_functions.h"
+
+namespace polhode::run {
+
+/// What is known of one precision in this process.
+class Rotation {
+ public:
+  explicit constexpr Rotation(const Precision& precision) : precision_(precision) {}
+
+  /// Takes a world that is about to step. Returns true if its bodies are rotated.
+  bool before_step(void* world);
+  void after_step(std::uint64_t substeps) const { adapter_->after_step(substeps); }
+
+  const Precision& precision() const { return precision_; }
+  Counts counts() const { return adapter_ == nullptr ? Counts() : adapter_->counts(); }
+  /// Returns the steps of worlds that another Bullet made than the adapter is linked to.
+  std::uint64_t steps_of_other_bullet() const { return steps_of_other_bullet_; }
+
+ private:
+  void start(const void* function);
+
+  const Precision& precision_;
+  const void* rotated_function_ = nullptr;  // worlds that step by another one are left alone
+  const Adapter* adapter_ = nullptr;
+  std::uint64_t steps_of_other_bullet_ = 0;
+  bool is_started_ = false;
+};
+
+/// Returns the one for single precision (index 0) and the one for double (index 1).
+Rotation& rotation_in(int precision_index);
+
+}  // namespace polhode::run
