@@ -1,0 +1,56 @@
+// What polhode-run is for: bodies keep their energy in a program that was not compiled for it.
+#include "tools/run/run_command.h"
+
+namespace polhode::run_test {
+namespace {
+
+class ProgramRunWithRotation : public testing::TestWithParam<Host> {
+ protected:
+  static CommandResult run_host(const std::string& what) {
+    return run({"--quiet", GetParam().program, what});
+  }
+};
+
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyThatItLosesAlone) {
+  expect_energy_lost(run_plainly(GetParam().program, {"one"}));
+  expect_energy_kept(run_host("one"), 1, GetParam().energy_tolerance);
+}
+
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyOfEachWorld) {
+  expect_energy_kept(run_host("two"), 2, GetParam().energy_tolerance);
+}
+
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyOfWorldsAtTheAddressOfDeadOnes) {
+  expect_energy_kept(run_host("remade"), 3, GetParam().energy_tolerance);
+}
+
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyInSubsteps) {
+  expect_energy_kept(run_host("substeps"), 1, GetParam().energy_tolerance);
+}
+
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyOfAWorldThatDiesAfterMain) {
+  expect_energy_kept(run_host("static"), 1, GetParam().energy_tolerance);
+}
+
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyWhereBulletIsLoadedLaterAndHidden) {
+  expect_energy_lost(run_plainly(POLHODE_LOADING_HOST, {GetParam().hidden_worlds}));
+  expect_energy_kept(run({"--quiet", POLHODE_LOADING_HOST, GetParam().hidden_worlds}), 1,
+                     GetParam().energy_tolerance);
+}
+
+TEST_P(ProgramRunWithRotation, TakesTheSchemeThatIsAskedFor) {
+  const CommandResult result = run({"--quiet", "--scheme", "bullet", GetParam().program, "one"});
+  expect_energy_lost(result);
+}
+
+INSTANTIATE_TEST_SUITE_P(Precision, ProgramRunWithRotation, testing::ValuesIn(hosts()),
+                         [](const auto& test) { return test.param.precision; });
+
+TEST(BothPrecisionsInOneProgram, AreRotatedEach) {
+  std::vector<std::string> words = {"--quiet", POLHODE_LOADING_HOST};
+  for (const Host& host : hosts()) words.emplace_back(host.hidden_worlds);
+  expect_energy_kept(run(words), hosts().size(), hosts().front().energy_tolerance);
+}
+
+}  // namespace
+}  // namespace polhode::run_test

@@ -1,0 +1,8 @@
+// A plugin of a simulator's that brings its own Bullet, as a physics engine does.
+#include "tools/run/host/scene.h"
+
+extern "C" __attribute__((visibility("default"))) double step_hidden_world() {
+  polhode::run_test::TumblingWorld world;
+  for (int i = 0; i < polhode::run_test::kSteps; ++i) world.step();
+  return world.energy_ratio();
+}

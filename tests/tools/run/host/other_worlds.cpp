@@ -1,0 +1,77 @@
+#include "tools/run/host/other_worlds.h"
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+#include <BulletSoftBody/btDeformableBodySolver.h>
+#include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
+#include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
+#include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
+
+#include "tools/run/host/scene.h"
+
+namespace polhode::run_test {
+
+namespace {
+
+double step(btDynamicsWorld& world) {
+  TumblingBody body;
+  world.setGravity(btVector3(0, 0, 0));
+  world.addRigidBody(&body.body());
+  for (int i = 0; i < kSteps; ++i) world.stepSimulation(kDt, 1, kDt);
+  world.removeRigidBody(&body.body());
+  return body.energy_ratio();
+}
+
+class OwnIslands : public btSimulationIslandManager {};
+
+class WorldWithOwnIslands : public btDiscreteDynamicsWorld {
+ public:
+  explicit WorldWithOwnIslands(Surroundings& surroundings)
+      : btDiscreteDynamicsWorld(&surroundings.dispatcher, &surroundings.broadphase, &surroundings.solver,
+                                &surroundings.configuration) {
+    bullets_ = m_islandManager;
+    m_islandManager = &own_;
+  }
+  ~WorldWithOwnIslands() override { m_islandManager = bullets_; }
+
+ private:
+  OwnIslands own_;
+  btSimulationIslandManager* bullets_;
+};
+
+}  // namespace
+
+double step_a_deformable_world() {
+  btSoftBodyRigidBodyCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btDeformableBodySolver deformable_solver;
+  btDeformableMultiBodyConstraintSolver solver;
+  solver.setDeformableSolver(&deformable_solver);
+  btDeformableMultiBodyDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration,
+                                           &deformable_solver);
+  return step(world);
+}
+
+double step_a_world_with_its_own_islands() {
+  Surroundings surroundings;
+  WorldWithOwnIslands world(surroundings);
+  return step(world);
+}
+
+void step_a_multibody() {
+  btDefaultCollisionConfiguration configuration;
+  btCollisionDispatcher dispatcher(&configuration);
+  btDbvtBroadphase broadphase;
+  btMultiBodyConstraintSolver solver;
+  btMultiBodyDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+  btMultiBody multibody(0, 1, btVector3(1, 2, 3), false, false);
+  multibody.finalizeMultiDof();
+  world.addMultiBody(&multibody);
+  step(world);
+  world.removeMultiBody(&multibody);
+}
+
+}  // namespace polhode::run_test

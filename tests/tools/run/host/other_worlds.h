@@ -1,0 +1,14 @@
+#pragma once
+
+namespace polhode::run_test {
+
+/// A world that no plugin can be attached to. Returns what is left of its body's rotational energy.
+double step_a_deformable_world();
+
+/// Likewise: its island manager is of the program's own class.
+double step_a_world_with_its_own_islands();
+
+/// A world with a multibody without links, and a rigid body.
+void step_a_multibody();
+
+}  // namespace polhode::run_test

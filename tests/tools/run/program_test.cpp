@@ -1,0 +1,92 @@
+// The program stays what it is: its arguments, output, exit code, signals and exceptions.
+#include <csignal>
+
+#include "tools/run/run_command.h"
+
+namespace polhode::run_test {
+namespace {
+
+using testing::HasSubstr;
+
+class ProgramUnderRun : public testing::TestWithParam<Host> {};
+
+TEST_P(ProgramUnderRun, HasAllWordsAfterItsName) {
+  const CommandResult result =
+      run({"--quiet", GetParam().program, "arguments", "--scheme", "--quiet", "--", "a b"});
+  EXPECT_EQ(result.standard_output, "[--scheme][--quiet][--][a b]");
+  EXPECT_EQ(result.exit_code, 0);
+}
+
+TEST_P(ProgramUnderRun, CanBeMarkedByTwoDashes) {
+  EXPECT_EQ(run({"--quiet", "--", GetParam().program, "arguments", "a"}).standard_output, "[a]");
+}
+
+TEST_P(ProgramUnderRun, HasItsExitCode) {
+  EXPECT_EQ(run({GetParam().program, "exit-3"}).exit_code, 3);
+}
+
+TEST_P(ProgramUnderRun, EndsByASignalWithoutASummary) {
+  const CommandResult result = run({GetParam().program, "killed"});
+  EXPECT_EQ(result.exit_code, -SIGTERM);
+  EXPECT_EQ(result.standard_error, "");
+}
+
+TEST_P(ProgramUnderRun, MayThrowThroughAStep) {
+  const CommandResult result = run({GetParam().program, "throwing"});
+  EXPECT_EQ(result.standard_output, "caught: from a tick callback\n");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.standard_error, HasSubstr("1 rotated"));
+}
+
+TEST_P(ProgramUnderRun, PrintsNothingMoreIfQuiet) {
+  EXPECT_EQ(run({"--quiet", GetParam().program, "one"}).standard_error, "");
+}
+
+// To the bit: Bullet itself steps it.
+TEST_P(ProgramUnderRun, HasADeformableWorldLeftToBullet) {
+  const CommandResult result = run({"--quiet", GetParam().program, "deformable"});
+  EXPECT_EQ(result.standard_output, run_plainly(GetParam().program, {"deformable"}).standard_output);
+  EXPECT_THAT(
+      result.standard_error,
+      testing::MatchesRegex("polhode-run: a btDeformableMultiBodyDynamicsWorld is left to Bullet: [^\n]*\n"));
+}
+
+TEST_P(ProgramUnderRun, HasAWorldWithItsOwnIslandManagerLeftToBullet) {
+  const CommandResult result = run({"--quiet", GetParam().program, "own-islands"});
+  expect_energy_lost(result);
+  EXPECT_THAT(result.standard_error,
+              testing::MatchesRegex(
+                  "polhode-run: a [^\n]*WorldWithOwnIslands is left to Bullet: the island [^\n]*\n"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Precision, ProgramUnderRun, testing::ValuesIn(hosts()),
+                         [](const auto& test) { return test.param.precision; });
+
+#ifdef POLHODE_ROTATING_HOST
+class ProgramThatRotatesItself : public testing::TestWithParam<const char*> {};
+
+TEST_P(ProgramThatRotatesItself, IsLeftAlone) {
+  const CommandResult result = run({"--quiet", POLHODE_ROTATING_HOST, GetParam()});
+  EXPECT_EQ(result.standard_output, run_plainly(POLHODE_ROTATING_HOST, {GetParam()}).standard_output);
+  EXPECT_THAT(result.standard_error,
+              testing::EndsWith("the program rotates the bodies of this world by polhode "
+                                "itself\n"));
+}
+
+INSTANTIATE_TEST_SUITE_P(By, ProgramThatRotatesItself, testing::Values("world", "derived", "plugin"),
+                         [](const auto& test) { return test.param; });
+#endif
+
+TEST(ProgramWithAnotherBullet, GoesOnAndIsToldWhichWasFound) {
+  const CommandResult result = run({POLHODE_OTHER_HOST});
+  EXPECT_EQ(result.exit_code, 7);
+  EXPECT_THAT(
+      result.standard_error,
+      HasSubstr(
+          "single-precision Bullet is in libBulletDynamics.so.2.88, and expected is libBulletDynamics"));
+  EXPECT_THAT(result.standard_error,
+              HasSubstr("left to another Bullet in single precision: 2 calls of stepSimulation\n"));
+}
+
+}  // namespace
+}  // namespace polhode::run_test
