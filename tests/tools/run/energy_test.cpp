@@ -28,8 +28,8 @@ TEST_P(ProgramRunWithRotation, KeepsTheEnergyInSubsteps) {
   expect_energy_kept(run_host("substeps"), 1, GetParam().energy_tolerance);
 }
 
-TEST_P(ProgramRunWithRotation, KeepsTheEnergyOfAWorldThatDiesAfterMain) {
-  expect_energy_kept(run_host("static"), 1, GetParam().energy_tolerance);
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyOfWorldsAfterMain) {
+  expect_energy_kept(run_host("after-main"), 2, GetParam().energy_tolerance);
 }
 
 TEST_P(ProgramRunWithRotation, KeepsTheEnergyWhereBulletIsLoadedLaterAndHidden) {

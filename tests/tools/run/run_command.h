@@ -16,8 +16,10 @@ namespace polhode::run_test {
 
 using demos::CommandResult;
 
-// AddressSanitizer wants to be the first library that is loaded.
-inline const std::vector<std::string> kEnvironment = {"ASAN_OPTIONS=verify_asan_link_order=0", "LD_PRELOAD"};
+// AddressSanitizer wants to be the first library that is loaded. The C library fills memory that is freed, so that
+// its use shows.
+inline const std::vector<std::string> kEnvironment = {"ASAN_OPTIONS=verify_asan_link_order=0", "LD_PRELOAD",
+                                                      "MALLOC_PERTURB_=165"};
 
 inline CommandResult run_plainly(const std::string& program, const std::vector<std::string>& arguments) {
   return demos::Command(program, arguments, kEnvironment).wait();

@@ -56,11 +56,23 @@ void step_in_substeps() {
   print_energy(world.energy_ratio());
 }
 
-// Dies after main, in a destructor that was registered before any of a library loaded later.
-void step_a_static_world() {
-  static TumblingWorld world;
-  for (int i = 0; i < kSteps; ++i) world.step();
-  print_energy(world.energy_ratio());
+// Dies after main, and another world is made then: in a destructor that was registered before any of a library that
+// is loaded with the first step.
+struct StepsAfterMain {
+  TumblingWorld world;
+  StepsAfterMain() = default;
+  ~StepsAfterMain() {
+    for (int i = 0; i < kSteps; ++i) world.step();
+    print_energy(world.energy_ratio());
+    step_one_world();
+  }
+  StepsAfterMain(const StepsAfterMain&) = delete;
+  StepsAfterMain& operator=(const StepsAfterMain&) = delete;
+};
+
+void step_after_main() {
+  static StepsAfterMain instance;
+  instance.world.step();
 }
 
 void throw_through_a_step() {
@@ -95,7 +107,7 @@ void do_what(const std::string& what) {
   if (what == "two") return step_two_worlds();
   if (what == "remade") return remake_a_world_at_its_address();
   if (what == "substeps") return step_in_substeps();
-  if (what == "static") return step_a_static_world();
+  if (what == "after-main") return step_after_main();
   if (what == "throwing") return throw_through_a_step();
   if (what == "forked") return fork_after_steps();
   if (what == "non-finite") return make_a_body_not_finite();
