@@ -24,6 +24,12 @@ TEST_P(ProgramRunWithRotation, KeepsTheEnergyOfWorldsAtTheAddressOfDeadOnes) {
   expect_energy_kept(run_host("remade"), 3, GetParam().energy_tolerance);
 }
 
+// btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld, btDiscreteDynamicsWorldMt.
+TEST_P(ProgramRunWithRotation, KeepsTheEnergyInEachKindOfWorld) {
+  expect_energy_lost(run_plainly(GetParam().program, {"kinds"}));
+  expect_energy_kept(run_host("kinds"), 1, GetParam().energy_tolerance);
+}
+
 TEST_P(ProgramRunWithRotation, KeepsTheEnergyInSubsteps) {
   expect_energy_kept(run_host("substeps"), 1, GetParam().energy_tolerance);
 }

@@ -1,5 +1,6 @@
 #include "tools/run/host/other_worlds.h"
 
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorldMt.h>
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
@@ -8,6 +9,11 @@
 #include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
 #include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
 #include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
+#include <BulletSoftBody/btSoftMultiBodyDynamicsWorld.h>
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+
+#include <cmath>
+#include <initializer_list>
 
 #include "tools/run/host/scene.h"
 
@@ -59,6 +65,26 @@ double step_a_world_with_its_own_islands() {
   Surroundings surroundings;
   WorldWithOwnIslands world(surroundings);
   return step(world);
+}
+
+double step_each_kind_of_world() {
+  Surroundings surroundings;
+  btSoftBodyRigidBodyCollisionConfiguration soft_configuration;
+  btMultiBodyConstraintSolver multibody_solver;
+  btConstraintSolverPoolMt solvers(1);
+  btDispatcher* const dispatcher = &surroundings.dispatcher;
+  btBroadphaseInterface* const broadphase = &surroundings.broadphase;
+  btSoftRigidDynamicsWorld soft(dispatcher, broadphase, &surroundings.solver, &soft_configuration);
+  btMultiBodyDynamicsWorld multibody(dispatcher, broadphase, &multibody_solver, &surroundings.configuration);
+  btSoftMultiBodyDynamicsWorld soft_multibody(dispatcher, broadphase, &multibody_solver, &soft_configuration);
+  btDiscreteDynamicsWorldMt parallel(dispatcher, broadphase, &solvers, nullptr, &surroundings.configuration);
+  double worst = 1.0;
+  for (btDynamicsWorld* world :
+       std::initializer_list<btDynamicsWorld*>{&soft, &multibody, &soft_multibody, &parallel}) {
+    const double ratio = step(*world);
+    if (std::abs(ratio - 1.0) > std::abs(worst - 1.0)) worst = ratio;
+  }
+  return worst;
 }
 
 void step_a_multibody() {
