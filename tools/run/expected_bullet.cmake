@@ -1,4 +1,4 @@
-# Writes a header that names the Bullet which each adapter was linked to. An adapter that was not built is empty.
+# Writes a source that names the Bullet which each adapter was linked to. An adapter that was not built is empty.
 foreach(bits 32 64)
   set(name "")
   if(adapter${bits})
@@ -8,6 +8,6 @@ foreach(bits 32 64)
     endif()
     set(name ${CMAKE_MATCH_1})
   endif()
-  string(APPEND constants "inline constexpr char kExpectedBullet${bits}[] = \"${name}\";\n")
+  string(APPEND constants "const char kExpectedBullet${bits}[] = \"${name}\";\n")
 endforeach()
-file(WRITE ${output} "#pragma once\n\nnamespace polhode::run {\n\n${constants}\n}  // namespace polhode::run\n")
+file(WRITE ${output} "#include \"run/interposer/expected_bullet.h\"\n\nnamespace polhode::run {\n\n${constants}\n}  // namespace polhode::run\n")

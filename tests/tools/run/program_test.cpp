@@ -59,6 +59,25 @@ TEST_P(ProgramUnderRun, HasAWorldWithItsOwnIslandManagerLeftToBullet) {
                   "polhode-run: a [^\n]*WorldWithOwnIslands is left to Bullet: the island [^\n]*\n"));
 }
 
+TEST_P(ProgramUnderRun, MayReplaceTheIslandManagerLater) {
+  const CommandResult result = run({GetParam().program, "own-islands-later"});
+  EXPECT_EQ(result.exit_code, 0);
+  expect_energy_lost(result);
+  EXPECT_THAT(result.standard_error, HasSubstr("the program has replaced the world's island manager\n"));
+  EXPECT_THAT(result.standard_error, HasSubstr("1 rotated, 1 left to Bullet\n"));
+}
+
+// Each of the two Bullets goes on with its own function.
+TEST_P(ProgramUnderRun, MayLoadALibraryThatHasBulletInItBesides) {
+  const CommandResult result = run({POLHODE_LOADING_HOST, GetParam().hidden_worlds, POLHODE_OTHER_PLUGIN});
+  const std::vector<double> ratios = energy_ratios(result);
+  ASSERT_EQ(ratios.size(), 2u) << result.standard_error;
+  EXPECT_LT(std::abs(ratios[0] - 1.0), GetParam().energy_tolerance);
+  EXPECT_EQ(ratios[1], 7.0);
+  EXPECT_THAT(result.standard_error, HasSubstr(": 1 rotated, 0 left to Bullet\n"));
+  EXPECT_THAT(result.standard_error, HasSubstr("in single precision: 2 calls of stepSimulation\n"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Precision, ProgramUnderRun, testing::ValuesIn(hosts()),
                          [](const auto& test) { return test.param.precision; });
 

@@ -1,6 +1,8 @@
 // What is refused before the program starts, in one line.
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "polhode/scheme_registry.h"
@@ -61,6 +63,27 @@ TEST(RunRefuses, AnExecutableThatEndsInItsHeader) {
   std::ofstream(file) << "\177ELF\2";
   ::chmod(file.c_str(), 0700);
   expect_refusal(run({file}), 2, "is not a whole ELF file");
+}
+
+// The loader ignores LD_PRELOAD for it.
+TEST(RunRefuses, AProgramThatRunsWithAnotherUsersRights) {
+  if (::geteuid() != 0) GTEST_SKIP() << "root alone can give a file away";
+  const demos::TemporaryDirectory directory;
+  const std::string program = directory / "program";
+  std::filesystem::copy_file(POLHODE_LOADING_HOST, program);
+  constexpr uid_t kNobody = 65534;
+  ASSERT_EQ(::chown(program.c_str(), kNobody, 0), 0);
+  EXPECT_EQ(run({"--quiet", program}).exit_code, 0);
+  ASSERT_EQ(::chmod(program.c_str(), 04755), 0);
+  expect_refusal(run({program}), 2, "runs with another user's or group's rights");
+}
+
+TEST(RunRefuses, ToRunWithoutItsLibraries) {
+  const demos::TemporaryDirectory directory;
+  const std::string copy = directory / "polhode-run";
+  std::filesystem::copy_file(POLHODE_RUN_EXECUTABLE, copy);
+  expect_refusal(run_plainly(copy, {"echo", "started"}), 2,
+                 "libpolhode_run.so: cannot be read: No such file");
 }
 
 TEST(RunRefuses, ASummaryThatCannotBeWritten) {

@@ -70,6 +70,13 @@ TEST_P(Summary, OfEachProcessGoesToTheFileWhereverItsFolderIs) {
   EXPECT_THAT(summary, HasSubstr(worlds("2 rotated, 0 left to Bullet")));
 }
 
+TEST_P(Summary, HasNoControlCharacters) {
+  const demos::TemporaryDirectory directory;
+  const std::string name = directory / "a\033[2J\nb";
+  std::filesystem::create_symlink(GetParam().program, name);
+  EXPECT_THAT(run({name, "one"}).standard_error, testing::StartsWith("polhode-run: a?[2J?b (process "));
+}
+
 TEST_P(Summary, SaysWhyNoWorldWasSeen) {
   const CommandResult result = run({GetParam().program, "arguments"});
   EXPECT_THAT(result.standard_error, HasSubstr("no world was stepped in this process"));

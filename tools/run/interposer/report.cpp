@@ -8,14 +8,18 @@
 
 namespace polhode::run {
 
+void replace_control_characters(char* text) {
+  for (char* c = text; *c != '\0'; ++c) {
+    if (static_cast<unsigned char>(*c) < ' ' || *c == '\177') *c = '?';
+  }
+}
+
 void report(const char* line) {
   constexpr int kLongest = 2048;
   char text[kLongest];
   const int length = std::snprintf(text, kLongest - 1, "polhode-run: %s", line);
   if (length < 0) return;
-  for (char* c = text; *c != '\0'; ++c) {
-    if (static_cast<unsigned char>(*c) < ' ' || *c == '\177') *c = '?';
-  }
+  replace_control_characters(text);
   std::strcat(text, "\n");
   write_all(STDERR_FILENO, text);
 }

@@ -26,6 +26,7 @@ class Text {
     const int length = std::snprintf(text_ + length_, kLongest - length_, format, values...);
     if (length > 0) length_ = length_ + length < kLongest ? length_ + length : kLongest - 1;
   }
+  void make_printable() { replace_control_characters(text_); }
   const char* c_str() const { return text_; }
 
  private:
@@ -53,17 +54,22 @@ void add_incidents(Text& text, const Counts& counts) {
   add_count(text, counts.non_finite_bodies, "body that was not finite\n", "bodies that were not finite\n");
 }
 
+void add_rotated_worlds(Text& text, const Counts& counts) {
+  if (counts.rotated_worlds == 0) return;
+  text.add("  bodies, most in one world: ");
+  add_count(text, counts.most_rigid_bodies, "rigid body, ", "rigid bodies, ");
+  add_count(text, counts.most_multibodies, "multibody\n", "multibodies\n");
+  text.add("  steps: %" PRIu64 "\n", counts.steps);
+  add_incidents(text, counts);
+}
+
 void add_precision(Text& text, const Rotation& rotation) {
   const Counts counts = rotation.counts();
   if (counts.rotated_worlds + counts.worlds_left_to_bullet > 0) {
     text.add("  worlds in %s precision: %" PRIu64 " rotated, %" PRIu64 " left to Bullet\n",
              rotation.precision().name, counts.rotated_worlds, counts.worlds_left_to_bullet);
-    text.add("  bodies, most in one world: ");
-    add_count(text, counts.most_rigid_bodies, "rigid body, ", "rigid bodies, ");
-    add_count(text, counts.most_multibodies, "multibody\n", "multibodies\n");
-    text.add("  steps: %" PRIu64 "\n", counts.steps);
-    add_incidents(text, counts);
   }
+  add_rotated_worlds(text, counts);
   if (rotation.steps_of_other_bullet() > 0) {
     text.add("  left to another Bullet in %s precision: %" PRIu64 " calls of stepSimulation\n",
              rotation.precision().name, rotation.steps_of_other_bullet());
@@ -132,8 +138,10 @@ __attribute__((destructor)) void summarize() {
   const bool has_stepped = activity() > activity_before_fork;
   if (!is_first_process && !has_stepped) return;
   Text text;
-  text.add("polhode-run: %s (process %d), scheme %s\n", program_invocation_short_name, getpid(),
+  text.add("polhode-run: %s (process %d), scheme %s", program_invocation_short_name, getpid(),
            setting(kSchemeVariable));
+  text.make_printable();
+  text.add("\n");
   if (has_stepped) {
     add_precision(text, rotation_in(0));
     add_precision(text, rotation_in(1));

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-#include "run/expected_bullet.h"
+#include "run/interposer/expected_bullet.h"
 
 namespace polhode::run {
 

@@ -2,6 +2,7 @@
 
 #include <elf.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 #include <cctype>
@@ -29,7 +30,9 @@ bool gets_other_rights(const fs::path& program) {
   if (::stat(program.c_str(), &status) != 0) return false;
   const bool is_other_user = (status.st_mode & S_ISUID) != 0 && status.st_uid != ::geteuid();
   const bool is_other_group = (status.st_mode & S_ISGID) != 0 && status.st_gid != ::getegid();
-  return is_other_user || is_other_group;
+  const bool has_capabilities =
+      ::geteuid() != 0 && ::getxattr(program.c_str(), "security.capability", nullptr, 0) > 0;
+  return is_other_user || is_other_group || has_capabilities;
 }
 
 // The name of a class that a file defines, as the compiler writes it for its type information: not a part of a

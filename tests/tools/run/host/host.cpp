@@ -113,6 +113,7 @@ void do_what(const std::string& what) {
   if (what == "non-finite") return make_a_body_not_finite();
   if (what == "deformable") return print_energy(step_a_deformable_world());
   if (what == "own-islands") return print_energy(step_a_world_with_its_own_islands());
+  if (what == "own-islands-later") return print_energy(step_a_world_that_gets_its_own_islands());
   if (what == "kinds") return print_energy(step_each_kind_of_world());
   if (what == "multibody") return step_a_multibody();
 }
