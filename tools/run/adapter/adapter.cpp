@@ -3,6 +3,8 @@
 
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 
+#include <exception>
+
 #include "run/adapter/rotated_worlds.h"
 
 namespace polhode::run {
@@ -12,8 +14,13 @@ namespace {
 // Never destroyed: worlds may die after the last destructor of this library, and each tells its plugin.
 RotatedWorlds* worlds = nullptr;
 
-void start(const char* scheme, Report report) noexcept {
-  worlds = new RotatedWorlds(scheme, report);
+bool start(const char* scheme, Report report) noexcept {
+  try {
+    worlds = new RotatedWorlds(scheme, report);
+    return true;
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 // Every world class derives from btDynamicsWorld alone, so the address is that of the base too.
@@ -29,12 +36,12 @@ Counts counts() noexcept {
   return worlds->counters().read();
 }
 
+constexpr Adapter kAdapter = {start, before_step, after_step, counts};
+
 }  // namespace
 
 }  // namespace polhode::run
 
 extern "C" __attribute__((visibility("default"))) const polhode::run::Adapter* polhode_run_adapter() {
-  static constexpr polhode::run::Adapter kAdapter = {polhode::run::start, polhode::run::before_step,
-                                                     polhode::run::after_step, polhode::run::counts};
-  return &kAdapter;
+  return &polhode::run::kAdapter;
 }

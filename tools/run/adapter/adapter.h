@@ -21,8 +21,8 @@ using Report = void (*)(const char* line);
 
 /// An adapter library for one precision of Bullet. Nothing in it throws.
 struct Adapter {
-  /// Call it once, before the others.
-  void (*start)(const char* scheme, Report report) noexcept;
+  /// Call it once, before the others. Returns false if there is no memory.
+  bool (*start)(const char* scheme, Report report) noexcept;
   /// Takes a btDynamicsWorld that is about to step. Returns true if the library rotates its bodies.
   bool (*before_step)(void* world) noexcept;
   /// Takes the substeps that a rotated world has taken.

@@ -1,8 +1,10 @@
-#include "run/adapter/no_destructors.h"
+// Keeps the static objects of this library alive, by standing in for the function of the C++ runtime that registers
+// destructors. The library is loaded when the program's first world steps, so its destructors would run before those
+// of the program's static objects. A world among these tells its plugin of its end, or is made only then, and the
+// plugin needs the library's list of worlds.
+extern "C" __attribute__((visibility("hidden"))) int register_no_destructor(void (*)(void*), void*,
+                                                                            void*) __asm__("__cxa_atexit");
 
-// Keeps the static objects of this library alive. It is loaded when the program's first world steps, so its
-// destructors would run before those of the program's static objects; a world among these tells its plugin of
-// its end, and the plugin needs the library's list of worlds.
-int __cxa_atexit(void (* /*destructor*/)(void*), void* /*object*/, void* /*library*/) {
+int register_no_destructor(void (* /*destructor*/)(void*), void* /*object*/, void* /*library*/) {
   return 0;
 }

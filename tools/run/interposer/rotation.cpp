@@ -92,7 +92,7 @@ void Rotation::start(const void* function) {
   const Adapter* const adapter = load_adapter(precision_.adapter_file);
   if (adapter == nullptr) return;
   const char* const scheme = std::getenv(kSchemeVariable);
-  adapter->start(scheme == nullptr ? "exact" : scheme, report);
+  if (!adapter->start(scheme == nullptr ? "exact" : scheme, report)) return;
   adapter_ = adapter;
   rotated_function_ = function;
 }

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cinttypes>
+#include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -21,9 +22,11 @@ constexpr std::size_t kLongest = 4096;
 
 class Text {
  public:
-  template <class... Values>
-  void add(const char* format, Values... values) {
-    const int length = std::snprintf(text_ + length_, kLongest - length_, format, values...);
+  __attribute__((format(printf, 2, 3))) void add(const char* format, ...) {
+    va_list values;
+    va_start(values, format);
+    const int length = std::vsnprintf(text_ + length_, kLongest - length_, format, values);
+    va_end(values);
     if (length > 0) length_ = length_ + length < kLongest ? length_ + length : kLongest - 1;
   }
   void make_printable() { replace_control_characters(text_); }
