@@ -104,7 +104,7 @@ TEST(ProgramWithAnotherBullet, GoesOnAndIsToldWhichWasFound) {
       HasSubstr(
           "single-precision Bullet is in libBulletDynamics.so.2.88, and expected is libBulletDynamics"));
   EXPECT_THAT(result.standard_error,
-              HasSubstr("left to another Bullet in single precision: 2 calls of stepSimulation\n"));
+              HasSubstr("left alone in single precision: 2 calls of stepSimulation\n"));
 }
 
 }  // namespace

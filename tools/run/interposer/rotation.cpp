@@ -76,7 +76,7 @@ bool Rotation::before_step(void* world) {
     const Lock lock;
     if (!is_started_) start(function);
     if (adapter_ == nullptr || function != rotated_function_) {
-      ++steps_of_other_bullet_;
+      ++calls_left_alone_;
       return false;
     }
   }

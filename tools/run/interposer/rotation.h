@@ -18,8 +18,8 @@ class Rotation {
 
   const Precision& precision() const { return precision_; }
   Counts counts() const { return adapter_ == nullptr ? Counts() : adapter_->counts(); }
-  /// Returns the steps of worlds that another Bullet made than the adapter is linked to.
-  std::uint64_t steps_of_other_bullet() const { return steps_of_other_bullet_; }
+  /// Returns the calls of stepSimulation without an adapter for the Bullet that they are of.
+  std::uint64_t calls_left_alone() const { return calls_left_alone_; }
 
  private:
   void start(const void* function);
@@ -27,7 +27,7 @@ class Rotation {
   const Precision& precision_;
   const void* rotated_function_ = nullptr;  // worlds that step by another one are left alone
   const Adapter* adapter_ = nullptr;
-  std::uint64_t steps_of_other_bullet_ = 0;
+  std::uint64_t calls_left_alone_ = 0;
   bool is_started_ = false;
 };
 

@@ -5,37 +5,17 @@
 
 #include <cerrno>
 #include <cinttypes>
-#include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 #include "run/interposer/report.h"
 #include "run/interposer/rotation.h"
+#include "run/interposer/text.h"
 #include "run/settings.h"
 
 namespace polhode::run {
 
 namespace {
-
-constexpr std::size_t kLongest = 4096;
-
-class Text {
- public:
-  __attribute__((format(printf, 2, 3))) void add(const char* format, ...) {
-    va_list values;
-    va_start(values, format);
-    const int length = std::vsnprintf(text_ + length_, kLongest - length_, format, values);
-    va_end(values);
-    if (length > 0) length_ = length_ + length < kLongest ? length_ + length : kLongest - 1;
-  }
-  void make_printable() { replace_control_characters(text_); }
-  const char* c_str() const { return text_; }
-
- private:
-  char text_[kLongest] = "";
-  std::size_t length_ = 0;
-};
 
 const char* setting(const char* name) {
   const char* const value = std::getenv(name);
@@ -73,17 +53,16 @@ void add_precision(Text& text, const Rotation& rotation) {
              rotation.precision().name, counts.rotated_worlds, counts.worlds_left_to_bullet);
   }
   add_rotated_worlds(text, counts);
-  if (rotation.steps_of_other_bullet() > 0) {
-    text.add("  left to another Bullet in %s precision: %" PRIu64 " calls of stepSimulation\n",
-             rotation.precision().name, rotation.steps_of_other_bullet());
+  if (rotation.calls_left_alone() > 0) {
+    text.add("  left alone in %s precision: %" PRIu64 " calls of stepSimulation\n", rotation.precision().name,
+             rotation.calls_left_alone());
   }
 }
 
 // A number that grows with each step.
 std::uint64_t activity_of(const Rotation& rotation) {
   const Counts counts = rotation.counts();
-  return counts.rotated_worlds + counts.worlds_left_to_bullet + counts.steps +
-         rotation.steps_of_other_bullet();
+  return counts.rotated_worlds + counts.worlds_left_to_bullet + counts.steps + rotation.calls_left_alone();
 }
 
 std::uint64_t activity() {
