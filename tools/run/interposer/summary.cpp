@@ -1,5 +1,6 @@
 // Writes the summary when the process ends by exit() or by returning from main.
 #include <fcntl.h>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
