@@ -1,0 +1,231 @@
+// Steps free spinning boxes by an engine of ignition-physics and prints how well each keeps energy, angular momentum
+// and orientation.
+//   spinning_boxes bullet|dart [DT [DURATION]]    seconds; default 1/1000, 60
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <ignition/physics/ConstructEmpty.hh>
+#include <ignition/physics/ForwardStep.hh>
+#include <ignition/physics/FrameSemantics.hh>
+#include <ignition/physics/FreeGroup.hh>
+#include <ignition/physics/RequestEngine.hh>
+#include <ignition/physics/sdf/ConstructLink.hh>
+#include <ignition/physics/sdf/ConstructModel.hh>
+#include <ignition/physics/sdf/ConstructWorld.hh>
+#include <ignition/plugin/Loader.hh>
+#include <sdf/Link.hh>
+#include <sdf/Model.hh>
+#include <sdf/Root.hh>
+#include <sdf/World.hh>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bullet_bodies.h"
+#include "free_motion.h"
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+struct Arguments {
+  std::string engine;
+  double dt_s = 1e-3;
+  double duration_s = 60.0;
+};
+
+struct Figures {
+  double energy_ratio = 1.0;
+  double momentum_ratio = 1.0;
+  double turn_of_momentum = 0.0;
+  double attitude_error = 0.0;
+  double worst_attitude_error = 0.0;
+};
+
+// One box, its exact motion and how far the engine has strayed from it.
+class Box {
+ public:
+  /// `inertia_B` are the engine's own numbers, and the exact motion starts from what the engine reports: the rounding
+  /// of a single-precision engine's input is not held against it.
+  Box(std::string name, const Vector3d& inertia_B, const ignition::physics::FrameData3d& start)
+      : name_(std::move(name)),
+        inertia_B_(inertia_B),
+        exact_(inertia_B, start.pose.linear(), start.angularVelocity),
+        speed_(start.angularVelocity.norm()),
+        L0_(momentum(start)),
+        energy0_(energy(start)) {}
+
+  void advance(double duration_s) { exact_.advance(duration_s); }
+
+  void measure(const ignition::physics::FrameData3d& now) {
+    const Vector3d L = momentum(now);
+    figures_.energy_ratio = energy(now) / energy0_;
+    figures_.momentum_ratio = L.norm() / L0_.norm();
+    figures_.turn_of_momentum = std::atan2(L.cross(L0_).norm(), L.dot(L0_));
+    figures_.attitude_error = exact_.angle_to(now.pose.linear());
+    figures_.worst_attitude_error = std::max(figures_.worst_attitude_error, figures_.attitude_error);
+  }
+
+  void print(const Arguments& arguments) const {
+    std::printf("%s,%.9g,%g,%s,%g,%.9f,%.9f,%.3g,%.3g,%.3g\n", arguments.engine.c_str(), arguments.dt_s,
+                arguments.duration_s, name_.c_str(), speed_, figures_.energy_ratio, figures_.momentum_ratio,
+                figures_.turn_of_momentum, figures_.attitude_error, figures_.worst_attitude_error);
+  }
+
+ private:
+  Vector3d momentum(const ignition::physics::FrameData3d& data) const {
+    const Matrix3d R_WB = data.pose.linear();
+    return R_WB * inertia_B_.cwiseProduct(R_WB.transpose() * data.angularVelocity);
+  }
+  double energy(const ignition::physics::FrameData3d& data) const {
+    return 0.5 * data.angularVelocity.dot(momentum(data));
+  }
+
+  std::string name_;
+  Vector3d inertia_B_;
+  FreeMotion exact_;
+  double speed_;
+  Vector3d L0_;
+  double energy0_;
+  Figures figures_;
+};
+
+Vector3d vector_of(const ignition::math::Vector3d& v) {
+  return {v.X(), v.Y(), v.Z()};
+}
+
+sdf::Root load(const std::string& file) {
+  sdf::Root root;
+  for (const sdf::Error& error : root.Load(file)) throw std::runtime_error(error.Message());
+  return root;
+}
+
+// The features that both engines have.
+struct CommonFeatures : ignition::physics::FeatureList<
+                      ignition::physics::ConstructEmptyWorldFeature, ignition::physics::FindFreeGroupFeature,
+                      ignition::physics::ForwardStep, ignition::physics::LinkFrameSemantics,
+                      ignition::physics::sdf::ConstructSdfLink, ignition::physics::sdf::ConstructSdfModel,
+                      ignition::physics::sdf::ConstructSdfWorld> {};
+struct FeaturesWithVelocity
+    : ignition::physics::FeatureList<CommonFeatures, ignition::physics::SetFreeGroupWorldVelocity> {};
+
+// An engine and what differs between the two: how a body is set spinning, and the numbers that the engine rounds.
+template <class FeatureList>
+struct Engine {
+  using Link = ignition::physics::Link3d<FeatureList>;
+
+  std::string library;
+  std::string plugin;
+  std::function<void(Link&, const Vector3d& omega_W)> set_spinning;
+  std::function<Vector3d(std::size_t box, const Vector3d& inertia_B)> inertia;
+  std::function<double(double dt_s)> time_step;
+};
+
+template <class FeatureList>
+void run(const Engine<FeatureList>& engine, const Arguments& arguments) {
+  ignition::plugin::Loader loader;
+  loader.LoadLib(std::string(POLHODE_HOSTS_ENGINES) + "/" + engine.library);
+  const auto physics =
+      ignition::physics::RequestEngine3d<FeatureList>::From(loader.Instantiate(engine.plugin));
+  if (!physics) throw std::runtime_error(engine.library + " cannot be loaded or lacks a feature");
+
+  const sdf::Root root = load(POLHODE_HOSTS_SDF);
+  const sdf::World& description = *root.WorldByIndex(0);
+  sdf::World empty;  // its models follow one by one: their links cannot be asked for later, in Bullet's plugin
+  empty.SetName(description.Name());
+  empty.SetGravity(description.Gravity());
+  const auto world = physics->ConstructWorld(empty);
+
+  std::vector<ignition::physics::Link3dPtr<FeatureList>> links;
+  std::vector<Box> boxes;
+  for (std::size_t index = 0; index < description.ModelCount(); ++index) {
+    const sdf::Model& model = *description.ModelByIndex(index);
+    const sdf::Link& link = *model.LinkByIndex(0);
+    sdf::Model without_links;
+    without_links.SetName(model.Name());
+    without_links.SetRawPose(model.RawPose());
+    links.push_back(world->ConstructModel(without_links)->ConstructLink(link));
+    engine.set_spinning(*links.back(), vector_of(link.Element()->Get<ignition::math::Vector3d>("spin:angular_velocity")));
+    const Vector3d inertia = vector_of(link.Inertial().MassMatrix().DiagonalMoments());
+    boxes.emplace_back(model.Name(), engine.inertia(index, inertia),
+                       links.back()->FrameDataRelativeToWorld());
+  }
+
+  using std::chrono::steady_clock;
+  const auto dt =
+      std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(arguments.dt_s));
+  const double time_step = engine.time_step(std::chrono::duration<double>(dt).count());
+  ignition::physics::ForwardStep::Input input;
+  ignition::physics::ForwardStep::State state;
+  ignition::physics::ForwardStep::Output output;
+  input.Get<steady_clock::duration>() = dt;
+
+  const long steps = std::lround(arguments.duration_s / arguments.dt_s);
+  const long steps_between = std::max(1L, std::lround(0.1 / arguments.dt_s));
+  for (long step = 1; step <= steps; ++step) {
+    world->Step(output, state, input);
+    for (Box& box : boxes) box.advance(time_step);
+    if (step % steps_between != 0 && step != steps) continue;
+    for (std::size_t index = 0; index < boxes.size(); ++index) {
+      boxes[index].measure(links[index]->FrameDataRelativeToWorld());
+    }
+  }
+  for (const Box& box : boxes) box.print(arguments);
+}
+
+Engine<CommonFeatures> bullet() {
+  const auto vector = [](const btVector3& v) { return Vector3d(v.x(), v.y(), v.z()); };
+  return {"libignition-physics5-bullet-plugin.so.5", "ignition::physics::bullet::Plugin",
+          [](auto&, const Vector3d& omega_W) {
+            added_bullet_bodies().back()->setAngularVelocity(
+                btVector3(btScalar(omega_W.x()), btScalar(omega_W.y()), btScalar(omega_W.z())));
+          },
+          [vector](std::size_t box, const Vector3d&) {
+            return vector(added_bullet_bodies().at(box)->getInvInertiaDiagLocal()).cwiseInverse().eval();
+          },
+          [](double dt_s) { return static_cast<double>(static_cast<btScalar>(dt_s)); }};
+}
+
+Engine<FeaturesWithVelocity> dart() {
+  return {"libignition-physics5-dartsim-plugin.so.5", "ignition::physics::dartsim::Plugin",
+          [](auto& link, const Vector3d& omega_W) { link.FindFreeGroup()->SetWorldAngularVelocity(omega_W); },
+          [](std::size_t, const Vector3d& inertia_B) { return inertia_B; }, [](double dt_s) { return dt_s; }};
+}
+
+Arguments read(int argc, char** argv) {
+  if (argc < 2 || argc > 4) throw std::invalid_argument("usage: spinning_boxes bullet|dart [DT [DURATION]]");
+  Arguments arguments;
+  arguments.engine = argv[1];
+  if (argc > 2) arguments.dt_s = std::stod(argv[2]);
+  if (argc > 3) arguments.duration_s = std::stod(argv[3]);
+  return arguments;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Arguments arguments = read(argc, argv);
+    std::puts(
+        "engine,dt_s,duration_s,box,spin_rad_s,energy_ratio,momentum_ratio,turn_of_momentum_rad,attitude_error_rad,"
+        "worst_attitude_error_rad");
+    if (arguments.engine == "bullet") {
+      run(bullet(), arguments);
+    } else if (arguments.engine == "dart") {
+      run(dart(), arguments);
+    } else {
+      throw std::invalid_argument("unknown engine " + arguments.engine + ": valid are bullet, dart");
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "spinning_boxes: %s\n", error.what());
+    return 2;
+  }
+}
