@@ -63,7 +63,9 @@ const BadInput kBadInputs[] = {
     {"scenario_twice", {"--scenario", "tumble", "--scenario", "floor"}, kOptions},
     {"unknown_scenario",
      {"--scenario", "tumbler", "--csv", "DIR/out.csv"},
-     "valid are cube_expansion, dzhanibekov, fast_spinner, floor, heavy_top, t_handle, tumble, or a path"},
+     "valid are cube_expansion, dzhanibekov, fast_spinner, floor, heavy_top, osrf_boxes, osrf_boxes_simple, "
+     "t_handle, "
+     "tumble, or a path"},
     {"empty_scenario", {"--scenario", ""}, "valid are cube_expansion,"},
     {"line_break_in_a_name", {"--scenario", "a\nb"}, "valid are cube_expansion,"},
     {"missing_file",

@@ -21,7 +21,7 @@ TEST_P(ScenarioFile, IsReadAndNamedAndDescribed) {
 
 INSTANTIATE_TEST_SUITE_P(Each, ScenarioFile,
                          testing::Values("cube_expansion", "dzhanibekov", "t_handle", "tumble", "heavy_top",
-                                         "fast_spinner", "floor"),
+                                         "fast_spinner", "floor", "osrf_boxes", "osrf_boxes_simple"),
                          [](const auto& file) { return file.param; });
 
 TEST(ScenarioFiles, CubeExpansionIsTheHandoutsCube) {
@@ -62,6 +62,17 @@ TEST(ScenarioFiles, FloorHasAnotherSpinningBodyAndAGround) {
   for (const Body& other : scenario.others) EXPECT_GT(other.omega_W.norm(), 1.0);
   EXPECT_GT(scenario.ground.value().friction, 0.0);
   EXPECT_EQ(scenario.dt, 1.0 / 240.0);
+}
+
+TEST(ScenarioFiles, OsrfBoxesAreTheBenchmarksBox) {
+  for (const char* name : {"osrf_boxes", "osrf_boxes_simple"}) {
+    const Scenario scenario = scenario_file(name);
+    EXPECT_EQ(2.0 * std::get<Box>(scenario.body.shape).half_extents, Vector3(0.1, 0.4, 0.9)) << name;
+    EXPECT_EQ(scenario.body.mass, 10.0) << name;
+    EXPECT_EQ(scenario.duration, 10.0) << name;
+  }
+  EXPECT_EQ(scenario_file("osrf_boxes").body.omega_W, Vector3(0.1, 5, 0.1));
+  EXPECT_EQ(scenario_file("osrf_boxes_simple").body.omega_W, Vector3(0.5, 0, 0));
 }
 
 TEST(ScenarioFiles, HeavyTopStartsInItsSteadySlowPrecession) {
