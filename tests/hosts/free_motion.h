@@ -3,7 +3,8 @@
 #include <Eigen/Geometry>
 
 /// The torque-free rotation of a rigid body by the classical Runge-Kutta method in `long double`, in steps of at
-/// most a thousandth of a radian: after 60 s at 16 rad/s its own error is below 1e-11 rad.
+/// most a thousandth of a radian: after 60 s its own error is 8e-12 rad for the worst box of
+/// spinning_boxes.sdf.
 class FreeMotion {
  public:
   /// Principal moments in kg m^2; R_WB is the body's orientation, omega_W its angular velocity.
