@@ -7,13 +7,18 @@ namespace polhode::demos {
 
 namespace {
 
-std::vector<Contender> bullet_contenders() {
+std::vector<Contender> bullet_modes() {
   return {{"bullet:none", "Bullet alone, no gyroscopic term", BulletMode::none},
           {"bullet:explicit", "Bullet alone, explicit gyroscopic torque, capped", BulletMode::explicit_force},
           {"bullet:implicit_world", "Bullet alone, implicit gyroscopic term in the world frame",
            BulletMode::implicit_world},
           {"bullet:implicit_body", "Bullet alone, implicit gyroscopic term in the body frame: its default",
            BulletMode::implicit_body}};
+}
+
+Contender bullet_multibody() {
+  return {"bullet:multibody", "Bullet alone, each body a btMultiBody without links: PyBullet's default",
+          BulletMultibody{}};
 }
 
 const Contender& find_contender(const std::vector<Contender>& all, const std::string& name) {
@@ -33,14 +38,15 @@ std::vector<Contender> all_contenders() {
     const SchemeDescription description = scheme->description();
     all.push_back({std::string(description.name), std::string(description.summary), scheme});
   }
-  for (const Contender& contender : bullet_contenders()) all.push_back(contender);
+  for (const Contender& mode : bullet_modes()) all.push_back(mode);
+  all.push_back(bullet_multibody());
   return all;
 }
 
 std::vector<Contender> default_contenders() {
   std::vector<std::string> names = {"exact", "matrix", "quaternion", "semi_implicit_gyroscopic",
                                     "implicit_gyroscopic"};
-  for (const Contender& contender : bullet_contenders()) names.push_back(contender.name);
+  for (const Contender& mode : bullet_modes()) names.push_back(mode.name);
   return find_contenders(names);
 }
 

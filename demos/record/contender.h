@@ -11,15 +11,18 @@ namespace polhode::demos {
 /// Bullet's ways to treat the gyroscopic term, btRigidBodyFlags.
 enum class BulletMode { none, explicit_force, implicit_world, implicit_body };
 
+/// Bullet's other kind of body: each body is a btMultiBody without links in place of a btRigidBody.
+struct BulletMultibody {};
+
 /// Names what rotates the bodies of a run: one of the library's schemes, or Bullet itself in a world without
 /// the library.
 struct Contender {
   std::string name;
   std::string summary;
-  std::variant<SchemePointer, BulletMode> method;
+  std::variant<SchemePointer, BulletMode, BulletMultibody> method;
 };
 
-/// Returns every registered scheme, then Bullet's modes.
+/// Returns every registered scheme, then Bullet's modes, then Bullet's multibody.
 std::vector<Contender> all_contenders();
 
 /// `exact`, the handout's four schemes and Bullet's modes.

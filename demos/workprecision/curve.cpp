@@ -33,10 +33,11 @@ FreeBody body_of(const std::string& name) {
 }
 
 std::string declared_order(const Contender& contender) {
-  if (const BulletMode* mode = std::get_if<BulletMode>(&contender.method)) {
-    return *mode == BulletMode::none ? "-" : "1";
+  if (const SchemePointer* scheme = std::get_if<SchemePointer>(&contender.method)) {
+    return order_text((*scheme)->description().order);
   }
-  return order_text(std::get<SchemePointer>(contender.method)->description().order);
+  const BulletMode* mode = std::get_if<BulletMode>(&contender.method);
+  return mode != nullptr && *mode == BulletMode::none ? "-" : "1";
 }
 
 // Returns the error at the end against the exact motion from the kernel's own start: Bullet's rounding of the

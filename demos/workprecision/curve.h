@@ -13,7 +13,7 @@ namespace polhode::demos {
 /// One contender at one time step.
 struct CurvePoint {
   std::string contender;
-  std::string declared_order;  ///< "2", "exact"; of Bullet's modes "1", and "-" without a gyroscopic term
+  std::string declared_order;  ///< "2", "exact"; of Bullet's own "1", and "-" without a gyroscopic term
   double dt_s = 0.0;
   std::int64_t steps = 0;
   double worst_energy_error = 0.0;  ///< up to the divergence, if there was one

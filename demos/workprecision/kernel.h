@@ -50,4 +50,8 @@ std::unique_ptr<Kernel> make_scheme_kernel(const SchemePointer& scheme, const Fr
 /// gyroscopic flag, bit for bit.
 std::unique_ptr<Kernel> make_bullet_kernel(BulletMode mode, const FreeBody& body, double dt_s, Kick kick);
 
+/// Makes a kernel that does to the rotation of a free multibody without links what btMultiBodyDynamicsWorld
+/// does, bit for bit.
+std::unique_ptr<Kernel> make_multibody_kernel(const FreeBody& body, double dt_s, Kick kick);
+
 }  // namespace polhode::demos

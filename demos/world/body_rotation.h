@@ -1,6 +1,7 @@
 #pragma once
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <BulletDynamics/Featherstone/btMultiBody.h>
 
 #include "polhode/rotation_math.h"
 #include "world/conversions.h"
@@ -18,6 +19,18 @@ inline RotationState rotation_of(const btRigidBody& body) {
   state.R_WB = from_bullet(body.getWorldTransform().getBasis());
   state.q_WB = Quaternion(state.R_WB).normalized();
   set_omega(state, inertia_of(body), from_bullet(body.getAngularVelocity()));
+  return state;
+}
+
+inline Vector3 inertia_of(const btMultiBody& multibody) {
+  return from_bullet(multibody.getBaseInertia());
+}
+
+/// A multibody keeps a quaternion, which turns the world's coordinates into the body's, and no basis.
+inline RotationState rotation_of(const btMultiBody& multibody) {
+  RotationState state;
+  set_orientation(state, from_bullet(multibody.getWorldToBaseRot().inverse()).normalized());
+  set_omega(state, inertia_of(multibody), from_bullet(multibody.getBaseOmega()));
   return state;
 }
 

@@ -1,5 +1,7 @@
 #include "world/contender_world.h"
 
+#include <BulletDynamics/Featherstone/btMultiBodyConstraintSolver.h>
+
 #include <utility>
 
 #include "polhode/bullet/rotation_world.h"
@@ -36,14 +38,24 @@ int bullet_flags(BulletMode mode) {
 ContenderWorld::ContenderWorld(const Contender& contender)
     : method_(contender.method), configuration_(small_pools()) {
   if (const SchemePointer* scheme = std::get_if<SchemePointer>(&method_)) {
-    auto world = std::make_unique<RotationWorld<btDiscreteDynamicsWorld>>(&dispatcher_, &broadphase_,
-                                                                          &solver_, &configuration_);
-    world->rotation().set_default_scheme(*scheme);
-    rotation_ = &world->rotation();
-    world_ = std::move(world);
+    auto& world = make_world<RotationWorld<btDiscreteDynamicsWorld>, btSequentialImpulseConstraintSolver>();
+    world.rotation().set_default_scheme(*scheme);
+    rotation_ = &world.rotation();
+  } else if (std::holds_alternative<BulletMultibody>(method_)) {
+    multibody_world_ = &make_world<btMultiBodyDynamicsWorld, btMultiBodyConstraintSolver>();
   } else {
-    world_ = std::make_unique<btDiscreteDynamicsWorld>(&dispatcher_, &broadphase_, &solver_, &configuration_);
+    make_world<btDiscreteDynamicsWorld, btSequentialImpulseConstraintSolver>();
   }
+}
+
+template <class World, class Solver>
+World& ContenderWorld::make_world() {
+  auto solver = std::make_unique<Solver>();
+  auto world = std::make_unique<World>(&dispatcher_, &broadphase_, solver.get(), &configuration_);
+  World& made = *world;
+  solver_ = std::move(solver);
+  world_ = std::move(world);
+  return made;
 }
 
 void ContenderWorld::set_gyroscopic_flag(btRigidBody& body) const {

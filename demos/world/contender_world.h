@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionDispatch/btDefaultCollisionConfiguration.h>
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
 #include <memory>
 
@@ -14,12 +15,15 @@
 namespace polhode::demos {
 
 /// An empty world whose bodies one contender rotates: a RotationWorld for a scheme, a plain
-/// btDiscreteDynamicsWorld for one of Bullet's modes. Bodies in it must outlive it.
+/// btDiscreteDynamicsWorld for one of Bullet's modes, a plain btMultiBodyDynamicsWorld for Bullet's multibody.
+/// Bodies must outlive the world or be removed from it.
 class ContenderWorld {
  public:
   explicit ContenderWorld(const Contender& contender);
 
   btDiscreteDynamicsWorld& world() { return *world_; }
+  /// The same world if its bodies are multibodies; else null.
+  btMultiBodyDynamicsWorld* multibody_world() { return multibody_world_; }
   /// The library's part in it; null in a plain world.
   const RotationControl* rotation() const { return rotation_; }
 
@@ -27,13 +31,17 @@ class ContenderWorld {
   void set_gyroscopic_flag(btRigidBody& body) const;
 
  private:
-  std::variant<SchemePointer, BulletMode> method_;
+  template <class World, class Solver>
+  World& make_world();
+
+  decltype(Contender::method) method_;
   // Declared in the order in which they use each other.
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;
-  btSequentialImpulseConstraintSolver solver_;
+  std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
+  btMultiBodyDynamicsWorld* multibody_world_ = nullptr;
   const RotationControl* rotation_ = nullptr;
 };
 

@@ -22,6 +22,10 @@ inline Vector3 from_bullet(const btVector3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+inline Quaternion from_bullet(const btQuaternion& q) {
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
 inline Matrix3 from_bullet(const btMatrix3x3& m) {
   Matrix3 result;
   for (int row = 0; row < 3; ++row) result.row(row) = from_bullet(m[row]).transpose();

@@ -71,6 +71,20 @@ TEST(Compare, TellsTheHandoutsStoryByDefault) {
   }
 }
 
+// demos/README.md shows these figures.
+TEST(Compare, ShowsThatAMultibodyGainsEnergyInATumble) {
+  const TemporaryDirectory directory;
+  compare({"--scenario", "tumble", "--contender", "exact", "--contender", "bullet:implicit_body",
+           "--contender", "bullet:multibody", "--json", (directory / "out.json").string(), "--report",
+           (directory / "out.html").string()});
+  auto figures = figures_by_contender(nlohmann::json::parse(read_file(directory / "out.json")));
+  EXPECT_LT(figures["exact"]["worst_energy_error"], 1e-14);             // measured 4.4e-16
+  EXPECT_LT(figures["bullet:implicit_body"]["final_energy_error"], 0);  // measured -0.30
+  EXPECT_GT(figures["bullet:multibody"]["final_energy_error"], 100.0);  // measured 359
+  EXPECT_TRUE(figures["bullet:multibody"]["diverged_at_s"].is_null()) << "Bullet limits its velocity";
+  EXPECT_THAT(read_file(directory / "out.html"), HasSubstr("\"bullet:multibody\""));
+}
+
 TEST(Compare, PrintsARowOfAlignedColumnsPerContender) {
   const std::string table = compare({"--scenario", "tumble", "--duration", "1", "--contender", "matrix",
                                      "--contender", "bullet:none"})
@@ -207,11 +221,12 @@ TEST(Compare, ListsScenariosAndContendersALineEach) {
   std::vector<std::string> first_words;
   first_words.reserve(lines.size());
   for (const std::string& line : lines) first_words.push_back(line.substr(0, line.find(' ')));
-  EXPECT_THAT(first_words, testing::IsSupersetOf(
-                               {"scenarios:", "cube_expansion", "dzhanibekov", "fast_spinner", "floor",
-                                "heavy_top", "t_handle", "tumble", "contenders:", "matrix", "quaternion",
-                                "semi_implicit_gyroscopic", "implicit_gyroscopic", "bullet", "bullet:none",
-                                "bullet:explicit", "bullet:implicit_world", "bullet:implicit_body"}));
+  EXPECT_THAT(first_words,
+              testing::IsSupersetOf({"scenarios:", "cube_expansion", "dzhanibekov", "fast_spinner", "floor",
+                                     "heavy_top", "t_handle", "tumble", "contenders:", "matrix", "quaternion",
+                                     "semi_implicit_gyroscopic", "implicit_gyroscopic", "bullet",
+                                     "bullet:none", "bullet:explicit", "bullet:implicit_world",
+                                     "bullet:implicit_body", "bullet:multibody"}));
 }
 
 TEST(Compare, ExplainsItself) {

@@ -16,11 +16,11 @@ std::vector<std::string> names_of(const std::vector<Contender>& contenders) {
   return names;
 }
 
-TEST(Contenders, AreEveryRegisteredSchemeAndThenBulletsModes) {
+TEST(Contenders, AreEveryRegisteredSchemeAndThenBulletsModesAndMultibody) {
   std::vector<std::string> expected;
   for (const SchemePointer& scheme : built_in_schemes()) expected.emplace_back(scheme->description().name);
-  for (const char* mode : {"none", "explicit", "implicit_world", "implicit_body"}) {
-    expected.push_back(std::string("bullet:") + mode);
+  for (const char* own : {"none", "explicit", "implicit_world", "implicit_body", "multibody"}) {
+    expected.push_back(std::string("bullet:") + own);
   }
   EXPECT_EQ(names_of(all_contenders()), expected);
   for (const Contender& contender : all_contenders())
@@ -35,8 +35,8 @@ TEST(Contenders, AreTheExactOneTheHandoutsAndBulletsByDefault) {
 }
 
 TEST(Contenders, KeepTheOrderTheyAreAskedForIn) {
-  EXPECT_THAT(names_of(find_contenders({"bullet:none", "matrix"})),
-              testing::ElementsAre("bullet:none", "matrix"));
+  EXPECT_THAT(names_of(find_contenders({"bullet:none", "bullet:multibody", "matrix"})),
+              testing::ElementsAre("bullet:none", "bullet:multibody", "matrix"));
 }
 
 TEST(Contenders, AreRefusedWithTheValidNamesOrWhenGivenTwice) {
@@ -46,7 +46,7 @@ TEST(Contenders, AreRefusedWithTheValidNamesOrWhenGivenTwice) {
       },
       testing::ThrowsMessage<std::invalid_argument>(
           testing::AllOf(testing::StartsWith("unknown contender \"cubic\"; valid are exact, matrix, "),
-                         testing::EndsWith("bullet:implicit_body"))));
+                         testing::EndsWith("bullet:implicit_body, bullet:multibody"))));
   EXPECT_THAT(
       [] {
         find_contenders({"matrix", "bullet:none", "matrix"});

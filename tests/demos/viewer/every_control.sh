@@ -34,9 +34,9 @@ expect_in() { # FILE PATTERN
 
 declare -A place=([scenarios]="155 34" [fast_spinner]="60 93" [run]="39 105" [start_over]="117 105"
   [step_back]="188 105" [step]="246 105" [slower]="32 128" [faster]="90 128" [teaching]="17 151" [follow]="17 174"
-  [exact]="37 218" [matrix]="37 241" [bullet]="37 333" [dt]="100 584" [inertia]="52 624" [omega]="52 664"
-  [apply]="81 687" [undo]="181 687" [csv_file]="97 731" [write_csv]="231 731" [png_file]="97 754" [write_png]="231 754"
-  [recording_file]="97 777" [record]="220 777")
+  [exact]="37 218" [matrix]="37 241" [bullet]="37 333" [dt]="100 607" [inertia]="52 647" [omega]="52 687"
+  [apply]="81 710" [undo]="181 710" [csv_file]="97 754" [write_csv]="231 754" [png_file]="97 777" [write_png]="231 777"
+  [recording_file]="97 800" [record]="220 800")
 
 cd "$directory"
 # Hardly wider than the panel, so that a frame takes no time to draw and each click is seen by one.

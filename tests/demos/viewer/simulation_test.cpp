@@ -22,7 +22,8 @@ TEST(Simulation, StepsAllContendersInLockstep) {
 TEST(Simulation, ComputesTheBitsOfAComparison) {
   Scenario short_run = resolved_scenario("floor");
   short_run.duration = 200 * short_run.dt;
-  Simulation simulation(short_run, find_contenders({"quaternion", "bullet:implicit_body"}));
+  Simulation simulation(short_run,
+                        find_contenders({"quaternion", "bullet:implicit_body", "bullet:multibody"}));
   for (int step = 0; step < 200; ++step) simulation.step();
   for (std::size_t index = 0; index < simulation.size(); ++index) {
     const History& history = simulation.run(index).history();
@@ -32,6 +33,20 @@ TEST(Simulation, ComputesTheBitsOfAComparison) {
       EXPECT_EQ(shown.state.L_W, sample.state.L_W);
       EXPECT_EQ(shown.energy_J, sample.energy_J);
     });
+  }
+}
+
+TEST(Simulation, ShowsTheOthersOfAMultibodysWorld) {
+  Simulation simulation(resolved_scenario("floor"), find_contenders({"bullet:none", "bullet:multibody"}));
+  for (int step = 0; step < 20; ++step) simulation.step();
+  ASSERT_EQ(simulation.shown(1).others.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Pose& other = simulation.shown(1).others[i];
+    // They fall freely so far.
+    EXPECT_LT((other.position_W - simulation.shown(0).others[i].position_W).norm(),
+              1e-12);  // measured 1.6e-20
+    EXPECT_GT((other.R_WB - simulation.run(1).history().at(0).others[i].R_WB).norm(),
+              0.1);  // measured 0.93 and 2.1
   }
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
+
+#include <memory>
+
+#include "polhode/rotation_state.h"
+#include "scenario/scenario.h"
+#include "world/contender_world.h"
+
+namespace polhode::demos {
+
+/// A body of a scenario in a contender's world: a rigid body, or a multibody without links. Its destructor
+/// removes it from the world.
+class ScenarioBody {
+ public:
+  ScenarioBody() = default;
+  ScenarioBody(const ScenarioBody&) = delete;
+  ScenarioBody& operator=(const ScenarioBody&) = delete;
+  virtual ~ScenarioBody() = default;
+
+  /// Returns what Bullet collides and draws: the rigid body, or the collider of the multibody.
+  virtual const btCollisionObject& object() const = 0;
+
+  /// @name The values as Bullet has them
+  /// @{
+  virtual RotationState rotation() const = 0;
+  virtual Vector3 velocity_W() const = 0;
+  virtual Vector3 inertia_B() const = 0;
+  /// @}
+
+  /// Bullet clears the torque after the next step.
+  virtual void apply_torque(const Vector3& torque_W) = 0;
+
+  /// Holds a point of the body in its place in the world by a constraint.
+  virtual void pin(const Vector3& pivot_B) = 0;
+};
+
+/// Adds the body to the world, which must outlive it.
+/// @throws std::invalid_argument for a start that start_motion refuses.
+std::unique_ptr<ScenarioBody> make_scenario_body(ContenderWorld& world, const Body& description);
+
+}  // namespace polhode::demos
