@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "bullet/internals/private_members.h"
 #include "polhode/bullet/conversions.h"
 
 namespace polhode {
@@ -31,10 +32,9 @@ bool replace(const Value& value, Value& kept) {
 
 }  // namespace
 
-// A base without velocities has not been finalized (finalizeMultiDof). With global velocities, links go on with those
-// of the last step.
+// With global velocities, links go on with those of the last step.
 bool turns_as_one_body(const btMultiBody& multibody) {
-  if (multibody.hasFixedBase() || multibody.getVelocityVector() == nullptr) return false;
+  if (multibody.hasFixedBase() || !is_finalized(multibody)) return false;
   if (multibody.getNumLinks() > 0 && multibody.isUsingGlobalVelocities()) return false;
   for (int link = 0; link < multibody.getNumLinks(); ++link) {
     if (!is_fixed_to_its_parent(multibody, link)) return false;

@@ -36,6 +36,11 @@ struct InverseInertiaTensorW : MemberOfBody<btMatrix3x3> {
   friend Member member_of(InverseInertiaTensorW);
 };
 
+struct Velocities {
+  using Member = btAlignedObjectArray<btScalar> btMultiBody::*;
+  friend Member member_of(Velocities);
+};
+
 struct BaseForce : VectorOfMultibody {
   friend Member member_of(BaseForce);
 };
@@ -52,6 +57,7 @@ struct Reveal {
 template struct Reveal<DebugBodyId, &btRigidBody::m_debugBodyId>;
 template struct Reveal<AdditionalDamping, &btRigidBody::m_additionalDamping>;
 template struct Reveal<InverseInertiaTensorW, &btRigidBody::m_invInertiaTensorWorld>;
+template struct Reveal<Velocities, &btMultiBody::m_realBuf>;
 template struct Reveal<BaseForce, &btMultiBody::m_baseForce>;
 template struct Reveal<BaseTorque, &btMultiBody::m_baseTorque>;
 
@@ -101,6 +107,10 @@ bool has_additional_damping(const btRigidBody& body) {
 
 btMatrix3x3& inverse_inertia_tensor_W(btRigidBody& body) {
   return body.*member_of(InverseInertiaTensorW());
+}
+
+bool is_finalized(const btMultiBody& multibody) {
+  return (multibody.*member_of(Velocities())).size() > 0;
 }
 
 btVector3& base_force(btMultiBody& multibody) {

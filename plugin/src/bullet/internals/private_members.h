@@ -54,6 +54,9 @@ btTransform pose_to_show(const btDiscreteDynamicsWorld& world, const btRigidBody
 
 /// @name btMultiBody
 /// @{
+/// Returns whether finalizeMultiDof has made room for its velocities. Without, its getters read past the end.
+bool is_finalized(const btMultiBody& multibody);
+
 /// The application's, in the world's axes; Bullet only adds to them.
 btVector3& base_force(btMultiBody& multibody);
 btVector3& base_torque(btMultiBody& multibody);

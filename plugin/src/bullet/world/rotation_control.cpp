@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bullet/internals/private_members.h"
 #include "bullet/world/world_stepper.h"
 
 namespace polhode {
@@ -14,7 +15,7 @@ inline namespace POLHODE_PRECISION {
 namespace {
 
 btMultiBody& require_one_body(btMultiBody& multibody) {
-  if (multibody.hasFixedBase() || multibody.getVelocityVector() == nullptr) {
+  if (multibody.hasFixedBase() || !is_finalized(multibody)) {
     throw std::invalid_argument(
         "this btMultiBody does not turn: its base is fixed, or it has not been through finalizeMultiDof");
   }
