@@ -23,8 +23,8 @@ namespace {
 using ::testing::HasSubstr;
 
 const btScalar kDt = btScalar(1.0 / 60.0);
-const btVector3 kInertia_B(1, 2, 3);
-const btVector3 kOmega_W(1, 8, btScalar(0.5));
+const btVector3 kInertia(1, 2, 3);
+const btVector3 kOmega(1, 8, btScalar(0.5));
 const btScalar kNaN = std::numeric_limits<btScalar>::quiet_NaN();
 
 template <class Call>
@@ -50,9 +50,9 @@ class MultibodyChoice : public ::testing::Test {
 TYPED_TEST_SUITE(MultibodyChoice, BothWaysOfMultibodies, WayName);
 
 TYPED_TEST(MultibodyChoice, IsTheDefaultUntilToldOtherwise) {
-  btMultiBody& one = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& one = this->scene_.add_free_multibody(kInertia, kOmega);
   btMultiBody& other = this->scene_.add_multibody_box(btVector3(1, 1, 1), 1, btTransform::getIdentity());
-  const btRigidBody& body = this->scene_.add_free(kInertia_B, kOmega_W);
+  const btRigidBody& body = this->scene_.add_free(kInertia, kOmega);
   EXPECT_EQ(this->rotation().managed_bodies(), 3U);
   this->rotation().set_scheme(one, "quaternion");
   this->rotation().set_scheme(*other.getBaseCollider(), "rk4");
@@ -71,7 +71,7 @@ TYPED_TEST(MultibodyChoice, IsTheDefaultUntilToldOtherwise) {
 }
 
 TYPED_TEST(MultibodyChoice, LastsWhileItIsTakenOutBetweenTwoSteps) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
   this->rotation().set_scheme(multibody, "quaternion");
   this->scene_.world().removeMultiBody(&multibody);
   EXPECT_FALSE(this->rotation().manages(multibody));
@@ -86,9 +86,9 @@ TYPED_TEST(MultibodyChoice, LastsWhileItIsTakenOutBetweenTwoSteps) {
 
 TYPED_TEST(MultibodyChoice, ReleasedItIsBulletsToTheBit) {
   MultibodyScene<> plain;
-  btMultiBody& expected = plain.add_free_multibody(kInertia_B, kOmega_W);
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
-  btMultiBody& managed = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& expected = plain.add_free_multibody(kInertia, kOmega);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
+  btMultiBody& managed = this->scene_.add_free_multibody(kInertia, kOmega);
   this->rotation().release(multibody);
   plain.step(kDt, 50);
   this->scene_.step(kDt, 50);
@@ -99,8 +99,8 @@ TYPED_TEST(MultibodyChoice, ReleasedItIsBulletsToTheBit) {
 }
 
 TYPED_TEST(MultibodyChoice, RemovedAndDeletedItIsNotLookedAt) {
-  btMultiBody& first = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
-  btMultiBody& second = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& first = this->scene_.add_free_multibody(kInertia, kOmega);
+  btMultiBody& second = this->scene_.add_free_multibody(kInertia, kOmega);
   this->scene_.step(kDt, 3);
   this->scene_.remove_multibody(first);
   this->scene_.step(kDt, 3);
@@ -109,7 +109,7 @@ TYPED_TEST(MultibodyChoice, RemovedAndDeletedItIsNotLookedAt) {
 }
 
 TYPED_TEST(MultibodyChoice, AddedTwiceItIsOneBody) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
   this->scene_.world().addMultiBody(&multibody);
   this->scene_.step(kDt, 2);
   EXPECT_EQ(this->rotation().managed_bodies(), 1U);
@@ -117,13 +117,13 @@ TYPED_TEST(MultibodyChoice, AddedTwiceItIsOneBody) {
 }
 
 TYPED_TEST(MultibodyChoice, IsNotForLinksThatMoveOrAFixedBase) {
-  btMultiBody chain(1, 1, kInertia_B, false, false);
-  chain.setupRevolute(0, 1, kInertia_B, -1, btQuaternion::getIdentity(), btVector3(0, 0, 1),
-                      btVector3(0, 1, 0), btVector3(0, 1, 0));
+  btMultiBody chain(1, 1, kInertia, false, false);
+  chain.setupRevolute(0, 1, kInertia, -1, btQuaternion::getIdentity(), btVector3(0, 0, 1), btVector3(0, 1, 0),
+                      btVector3(0, 1, 0));
   chain.finalizeMultiDof();
-  btMultiBody fixed(0, 1, kInertia_B, true, false);
+  btMultiBody fixed(0, 1, kInertia, true, false);
   fixed.finalizeMultiDof();
-  btMultiBody unfinished(0, 1, kInertia_B, false, false);
+  btMultiBody unfinished(0, 1, kInertia, false, false);
   btMultiBodyLinkCollider link(&chain, 0);
   for (btMultiBody* multibody : {&chain, &fixed}) this->scene_.world().addMultiBody(multibody);
   this->scene_.step(kDt, 2);
@@ -140,7 +140,7 @@ TYPED_TEST(MultibodyChoice, IsNotForLinksThatMoveOrAFixedBase) {
 
 TYPED_TEST(MultibodyChoice, KinematicItIsTheApplications) {
   btMultiBody& multibody = this->scene_.add_multibody_box(btVector3(1, 1, 1), 1, btTransform::getIdentity());
-  multibody.setBaseOmega(kOmega_W);
+  multibody.setBaseOmega(kOmega);
   multibody.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
   this->scene_.step(kDt, 3);
   EXPECT_FALSE(this->rotation().manages(multibody));
@@ -161,7 +161,7 @@ TYPED_TEST(MultibodyChoice, SleepsAndWakesAsBulletWants) {
   EXPECT_LT(steps, 200U);
   multibody.getBaseCollider()->forceActivationState(ACTIVE_TAG);
   multibody.wakeUp();
-  multibody.setBaseOmega(kOmega_W);
+  multibody.setBaseOmega(kOmega);
   this->scene_.step(kDt, 5);
   EXPECT_EQ(this->rotation().rotation_of(multibody).steps, steps + 5);
 }
@@ -184,7 +184,7 @@ TYPED_TEST(MultibodyChoice, ReportsWhatIsNotFinite) {
   for (const Change& change : changes) {
     btMultiBody& multibody =
         this->scene_.add_multibody_box(btVector3(1, 1, 1), 1, btTransform::getIdentity());
-    multibody.setBaseOmega(kOmega_W);
+    multibody.setBaseOmega(kOmega);
     this->scene_.step(kDt, 3);
     incidents.clear();
     change.make(multibody);
@@ -196,7 +196,7 @@ TYPED_TEST(MultibodyChoice, ReportsWhatIsNotFinite) {
     for (int i = 0; i < 6; ++i) EXPECT_TRUE(std::isfinite(multibody.getVelocityVector()[i])) << change.what;
     EXPECT_TRUE(std::isfinite(multibody.getBasePos().length2())) << change.what;
     EXPECT_NEAR(multibody.getWorldToBaseRot().length2(), btScalar(1), btScalar(1e-5)) << change.what;
-    EXPECT_NEAR(multibody.getBaseOmega().length(), kOmega_W.length(), btScalar(1)) << change.what;
+    EXPECT_NEAR(multibody.getBaseOmega().length(), kOmega.length(), btScalar(1)) << change.what;
     EXPECT_TRUE(multibody.getBaseCollider()->isActive()) << change.what;
     this->scene_.remove_multibody(multibody);
     this->scene_.step(kDt);  // sees that it is gone: the next one may come to its address
@@ -234,12 +234,12 @@ TYPED_TEST(MultibodyChoice, HasItsSwitchesAndForcesBackAfterAStep) {
   const std::vector<FixedPart> parts = {
       {btScalar(0.5), btVector3(1, 1, 1), btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0))}};
   btMultiBody* const multibodies[] = {
-      &this->scene_.add_free_multibody(kInertia_B, kOmega_W),
-      &this->scene_.add_free_multibody(kInertia_B, kOmega_W, btQuaternion::getIdentity(), parts),
-      &this->scene_.add_free_multibody(kInertia_B, kOmega_W)};
+      &this->scene_.add_free_multibody(kInertia, kOmega),
+      &this->scene_.add_free_multibody(kInertia, kOmega, btQuaternion::getIdentity(), parts),
+      &this->scene_.add_free_multibody(kInertia, kOmega)};
   this->rotation().set_scheme(*multibodies[2], "implicit_gyroscopic");
   this->scene_.pin(*multibodies[2], btVector3(0, 0, 0));
-  btMultiBody& without_term = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& without_term = this->scene_.add_free_multibody(kInertia, kOmega);
   without_term.setUseGyroTerm(false);
   std::vector<std::unique_ptr<SwitchWatcher>> watchers;
   for (btMultiBody* multibody : multibodies) {
@@ -258,7 +258,7 @@ TYPED_TEST(MultibodyChoice, LeavesNothingBehindWhenItGoes) {
   constexpr std::size_t kMultibodies = 50;
   std::vector<btMultiBody*> multibodies;
   for (std::size_t i = 0; i < kMultibodies; ++i)
-    multibodies.push_back(&this->scene_.add_free_multibody(kInertia_B, kOmega_W));
+    multibodies.push_back(&this->scene_.add_free_multibody(kInertia, kOmega));
   for (btMultiBody* multibody : multibodies) this->scene_.world().removeMultiBody(multibody);
   const std::size_t blocks = heap_blocks();
   for (btMultiBody* multibody : multibodies) this->scene_.world().addMultiBody(multibody);
@@ -270,8 +270,8 @@ TYPED_TEST(MultibodyChoice, LeavesNothingBehindWhenItGoes) {
 }
 
 TYPED_TEST(MultibodyChoice, ChangesTogetherWithRigidBodiesOrNotAtAll) {
-  const btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
-  const btRigidBody& body = this->scene_.add_free(kInertia_B, kOmega_W);
+  const btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
+  const btRigidBody& body = this->scene_.add_free(kInertia, kOmega);
   this->scene_.step(kDt);
   std::size_t granted = 0;
   for (bool is_done = false; !is_done; ++granted) {
@@ -289,7 +289,7 @@ TYPED_TEST(MultibodyChoice, ChangesTogetherWithRigidBodiesOrNotAtAll) {
 }
 
 TYPED_TEST(MultibodyChoice, IsBulletsWhileThereIsNoMemory) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
   {
     const MemoryShortage shortage(0, MemoryReturns::when_told);
     this->scene_.step(kDt, 3);
@@ -301,7 +301,7 @@ TYPED_TEST(MultibodyChoice, IsBulletsWhileThereIsNoMemory) {
 }
 
 TYPED_TEST(MultibodyChoice, StopsWhenItsSchemeDiverges) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, btVector3(10, 80, 5));
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, btVector3(10, 80, 5));
   this->rotation().set_scheme(multibody, "semi_implicit_gyroscopic");
   this->scene_.step(kDt, 600);
   EXPECT_TRUE(this->rotation().rotation_of(multibody).diverged);
@@ -312,8 +312,8 @@ TYPED_TEST(MultibodyChoice, StopsWhenItsSchemeDiverges) {
 TEST(MultibodyPlugin, LeavesMultibodiesAsTheyWere) {
   MultibodiesUnderRotationPlugin scene;
   MultibodyScene<> plain;
-  btMultiBody& multibody = scene.add_free_multibody(kInertia_B, kOmega_W);
-  btMultiBody& expected = plain.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& multibody = scene.add_free_multibody(kInertia, kOmega);
+  btMultiBody& expected = plain.add_free_multibody(kInertia, kOmega);
   scene.plugin().detach();
   scene.step(kDt, 20);
   plain.step(kDt, 20);
@@ -325,7 +325,7 @@ TEST(MultibodyPlugin, LeavesMultibodiesAsTheyWere) {
 
 template <class AScene>
 std::uint64_t steps_of_multibody(AScene& scene, RotationControl& rotation) {
-  btMultiBody& multibody = scene.add_free_multibody(kInertia_B, kOmega_W);
+  btMultiBody& multibody = scene.add_free_multibody(kInertia, kOmega);
   scene.step(kDt, 5);
   return rotation.rotation_of(multibody).steps;
 }

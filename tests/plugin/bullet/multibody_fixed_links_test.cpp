@@ -16,8 +16,8 @@ namespace polhode::testing {
 namespace {
 
 const btScalar kDt = btScalar(1.0 / 60.0);
-const btVector3 kBaseInertia_B(btScalar(0.1), btScalar(0.2), btScalar(0.25));
-const btVector3 kOmega_W(1, 6, btScalar(0.5));
+const btVector3 kBaseInertia(btScalar(0.1), btScalar(0.2), btScalar(0.25));
+const btVector3 kOmega(1, 6, btScalar(0.5));
 const btQuaternion kTilted(btVector3(1, 2, 3).normalized(), btScalar(0.7));
 
 std::vector<FixedPart> parts() {
@@ -71,7 +71,7 @@ Whole whole_of(const btMultiBody& multibody) {
 
 template <class AScene>
 btMultiBody& add_composite(AScene& scene) {
-  btMultiBody& multibody = scene.add_free_multibody(kBaseInertia_B, kOmega_W, kTilted, parts());
+  btMultiBody& multibody = scene.add_free_multibody(kBaseInertia, kOmega, kTilted, parts());
   // Its centre of mass rests.
   const Whole whole = whole_of(multibody);
   multibody.setBaseVel(to_bullet(Vector3(-whole.velocity)));
@@ -196,7 +196,7 @@ double largest_energy_of_dumbbells() {
     scene.world().setGravity(btVector3(0, 0, -10));
     scene.add_floor();
     btMultiBody& multibody = scene.add_free_multibody(
-        kBaseInertia_B, btVector3(static_cast<btScalar>(throw_number), btScalar(12), btScalar(5)), kTilted,
+        kBaseInertia, btVector3(static_cast<btScalar>(throw_number), btScalar(12), btScalar(5)), kTilted,
         parts());
     multibody.setBasePos(btVector3(0, 0, 3));
     std::vector<std::unique_ptr<btMultiBodyLinkCollider>> colliders;

@@ -19,7 +19,7 @@ namespace polhode::testing {
 namespace {
 
 const btScalar kDt = btScalar(1.0 / 60.0);
-const btVector3 kInertia_B(1, 2, 3);
+const btVector3 kInertia(1, 2, 3);
 const btVector3 kNearMiddleAxis(1, 8, btScalar(0.5));
 const btQuaternion kTilted(btVector3(1, 2, 3).normalized(), btScalar(0.7));
 
@@ -45,8 +45,8 @@ TYPED_TEST(MultibodyInFlight, HasTheBitsOfARigidBodyInEveryScheme) {
     const std::string_view name = scheme->description().name;
     TypeParam scene;
     scene.rotation().set_default_scheme(name);
-    const btRigidBody& body = scene.add_free(kInertia_B, kNearMiddleAxis, kTilted);
-    const btMultiBody& multibody = scene.add_free_multibody(kInertia_B, kNearMiddleAxis, kTilted);
+    const btRigidBody& body = scene.add_free(kInertia, kNearMiddleAxis, kTilted);
+    const btMultiBody& multibody = scene.add_free_multibody(kInertia, kNearMiddleAxis, kTilted);
     // The multibody holds its rotation as the inverse quaternion: rounded, it is not that of the rigid body's matrix.
     const double start_apart = scene.rotation().rotation_of(multibody).state.q_WB.angularDistance(
         scene.rotation().rotation_of(body).state.q_WB);
@@ -59,8 +59,8 @@ TYPED_TEST(MultibodyInFlight, HasTheBitsOfARigidBodyInEveryScheme) {
     const std::string_view name = scheme->description().name;
     TypeParam scene;
     scene.rotation().set_default_scheme(name);
-    const btRigidBody& body = scene.add_free(kInertia_B, kNearMiddleAxis);
-    const btMultiBody& multibody = scene.add_free_multibody(kInertia_B, kNearMiddleAxis);
+    const btRigidBody& body = scene.add_free(kInertia, kNearMiddleAxis);
+    const btMultiBody& multibody = scene.add_free_multibody(kInertia, kNearMiddleAxis);
     scene.step(kDt, 200);
     EXPECT_TRUE(
         same_bits(scene.rotation().rotation_of(multibody).state, scene.rotation().rotation_of(body).state))
@@ -70,7 +70,7 @@ TYPED_TEST(MultibodyInFlight, HasTheBitsOfARigidBodyInEveryScheme) {
 }
 
 TYPED_TEST(MultibodyInFlight, KeepsEnergyAndMomentumForAnHour) {
-  const btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kNearMiddleAxis, kTilted);
+  const btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kNearMiddleAxis, kTilted);
   const RotationState start = this->state_of(multibody);
   this->scene_.step(kDt, 60 * 3600);
   const RotationState end = this->state_of(multibody);
@@ -82,7 +82,7 @@ TYPED_TEST(MultibodyInFlight, KeepsEnergyAndMomentumForAnHour) {
 
 TEST(MultibodyInBullet, GainsEnergy) {
   MultibodyScene<> plain;
-  const btMultiBody& multibody = plain.add_free_multibody(kInertia_B, kNearMiddleAxis, kTilted);
+  const btMultiBody& multibody = plain.add_free_multibody(kInertia, kNearMiddleAxis, kTilted);
   const double start = shown_rotational_energy(multibody);
   plain.step(kDt, 3600);
   EXPECT_GE(shown_rotational_energy(multibody) / start,
@@ -90,16 +90,16 @@ TEST(MultibodyInBullet, GainsEnergy) {
 }
 
 TYPED_TEST(MultibodyInFlight, TurnsAsTheClosedFormSays) {
-  const btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kNearMiddleAxis, kTilted);
+  const btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kNearMiddleAxis, kTilted);
   const RotationState start = this->state_of(multibody);
-  const oracle::FreeTop truth(rounded_moments(kInertia_B), start.q_WB, start.L_W);
+  const oracle::FreeTop truth(rounded_moments(kInertia), start.q_WB, start.L_W);
   this->scene_.step(kDt, 600);
   EXPECT_LE(truth.attitude_error_after(this->state_of(multibody).q_WB, 600, kDt), 1e-12);  // measured 4e-14
 }
 
 // Bullet clamps each coordinate of a multibody's velocity to 100, and so changes the axis of a spin.
 TYPED_TEST(MultibodyInFlight, KeepsASpinBeyondTheLargestCoordinate) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, btVector3(30, 180, 90));
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, btVector3(30, 180, 90));
   const RotationState start = this->state_of(multibody);
   this->scene_.step(kDt, 100);
   EXPECT_EQ(this->state_of(multibody).L_W, start.L_W);
@@ -107,8 +107,8 @@ TYPED_TEST(MultibodyInFlight, KeepsASpinBeyondTheLargestCoordinate) {
 }
 
 TYPED_TEST(MultibodyInFlight, IsPushedByATorqueLikeARigidBody) {
-  btRigidBody& body = this->scene_.add_free(kInertia_B, kNearMiddleAxis);
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kNearMiddleAxis);
+  btRigidBody& body = this->scene_.add_free(kInertia, kNearMiddleAxis);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kNearMiddleAxis);
   const btVector3 torque_W(btScalar(0.3), btScalar(-0.2), btScalar(0.5));
   for (int i = 0; i < 120; ++i) {
     body.applyTorque(torque_W);
@@ -139,7 +139,7 @@ TYPED_TEST(MultibodyInFlight, IsDampedAsBulletDampsMultibodies) {
 }
 
 TYPED_TEST(MultibodyInFlight, GoesOnFromWhatTheApplicationSets) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kNearMiddleAxis);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kNearMiddleAxis);
   this->scene_.step(kDt, 10);
   multibody.setBaseOmega(btVector3(0, 0, 5));
   multibody.setWorldToBaseRot(btQuaternion::getIdentity());
@@ -152,7 +152,7 @@ TYPED_TEST(MultibodyInFlight, GoesOnFromWhatTheApplicationSets) {
 }
 
 TYPED_TEST(MultibodyInFlight, KeepsItsOrientationInDoubleUnderAnotherInertia) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kNearMiddleAxis);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kNearMiddleAxis);
   this->scene_.step(kDt, 10);
   const RotationState before = this->state_of(multibody);
   multibody.setBaseInertia(btVector3(4, 5, 6));
@@ -162,7 +162,7 @@ TYPED_TEST(MultibodyInFlight, KeepsItsOrientationInDoubleUnderAnotherInertia) {
 }
 
 TYPED_TEST(MultibodyInFlight, MovesItsBaseAsBulletDoes) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kNearMiddleAxis);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kNearMiddleAxis);
   const btVector3 start = multibody.getBasePos();
   multibody.setBaseVel(btVector3(1, 2, 3));
   this->scene_.step(kDt, 60);
@@ -181,7 +181,7 @@ TYPED_TEST(MultibodyInFlight, ShowsItsColliderWhereItIs) {
 }
 
 TYPED_TEST(MultibodyInFlight, IsRotatedUnderRungeKuttaToo) {
-  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia_B, kNearMiddleAxis);
+  btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kNearMiddleAxis);
   multibody.useRK4Integration(true);
   const RotationState start = this->state_of(multibody);
   this->scene_.step(kDt, 60);
