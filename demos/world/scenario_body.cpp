@@ -103,7 +103,7 @@ class MultibodyScenarioBody final : public ScenarioBody {
     const btVector3 pivot_W = multibody_.getBaseWorldTransform() * to_bullet(pivot_B);
     constraint_ = std::make_unique<btMultiBodyPoint2Point>(&multibody_, /*link=*/-1, the_world,
                                                            to_bullet(pivot_B), pivot_W);
-    // As a rigid body's, which has no limit.
+    // The constraint of a rigid body has no limit.
     constraint_->setMaxAppliedImpulse(SIMD_INFINITY);
     world_.addMultiBodyConstraint(constraint_.get());
   }

@@ -239,7 +239,7 @@ TYPED_TEST(MultibodyInContact, HoldsARigidBodyInAWeld) {
   EXPECT_LE(welded.gap_m, 1.1 * plain.gap_m);
 }
 
-// What is constrained shows in the steps that dt does not resolve: a free body resolves any.
+// Steps that dt does not resolve tell a constrained body from a free one, which resolves any.
 TYPED_TEST(MultibodyInContact, CountsAsConstrainedWithItsPartners) {
   RotationControl& rotation = this->scene_.rotation();
   const btVector3 inertia_B(1, btScalar(1.1), btScalar(0.05)), fast_W(60, 20, 60);

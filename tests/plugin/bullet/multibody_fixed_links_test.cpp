@@ -92,7 +92,7 @@ TYPED_TEST(FixedLinks, KeepEnergyMomentumAndCentre) {
   this->scene_.step(kDt, 3600);
   const Whole end = whole_of(multibody);
   const BodyRotation last = this->scene_.rotation().rotation_of(multibody);
-  // What the multibody shows is rounded: measured 1.0e-6, 1.8e-6, 9e-4 m in single, 8e-15, 7e-15, 9e-13 m in double
+  // The multibody shows rounded values: measured 1.0e-6, 1.8e-6, 9e-4 m in single, 8e-15, 7e-15, 9e-13 m in double
   // precision. Plain Bullet: energy times 557 and 1,666, the centre 470 m away and more.
   EXPECT_NEAR(end.energy / start.energy, 1.0, by_precision(5e-6, 5e-14));
   EXPECT_LE((end.L_W - start.L_W).norm(), by_precision(1e-5, 5e-14) * start.L_W.norm());

@@ -76,7 +76,7 @@ TYPED_TEST(MultibodyInFlight, KeepsEnergyAndMomentumForAnHour) {
   const RotationState end = this->state_of(multibody);
   EXPECT_EQ(end.L_W, start.L_W);
   EXPECT_LE(std::abs(end.energy() / start.energy() - 1.0), 1e-13);  // measured 0 in both precisions
-  // What the multibody shows is that, rounded; measured 2.0e-7 in single, 2e-16 in double precision.
+  // The multibody shows that state rounded; measured 2.0e-7 in single, 2e-16 in double precision.
   EXPECT_NEAR(shown_rotational_energy(multibody) / start.energy(), 1.0, by_precision(1e-6, 1e-14));
 }
 

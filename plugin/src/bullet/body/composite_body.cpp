@@ -17,7 +17,7 @@ bool is_fixed_to_its_parent(const btMultiBody& multibody, int link) {
          !multibody.isLinkStaticOrKinematic(link);
 }
 
-// Of a point mass at r, kg m^2.
+// Returns the inertia of a point mass at r, kg m^2.
 Matrix3 point_inertia(double mass, const Vector3& r) {
   return mass * (r.squaredNorm() * Matrix3::Identity() - r * r.transpose());
 }

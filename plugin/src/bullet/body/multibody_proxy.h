@@ -13,7 +13,7 @@ inline namespace POLHODE_PRECISION {
 /// A btRigidBody of no world that stands in for a btMultiBody in a batch, so that one path steps both. The
 /// multibody's numbers are read into it before a stage, and what the library wrote is handed back after it.
 ///
-/// What a btMultiBody has that a rigid body has not:
+/// A btMultiBody differs from a rigid body in:
 ///
 ///   gyroscopic term     explicit: switched off (setUseGyroTerm) during the solve
 ///   largest velocity    each coordinate is clamped (setMaxCoordinateVelocity, 100 by default): during the solve
@@ -69,7 +69,7 @@ class MultibodyProxy {
   btScalar largest_velocity_ = 0;
   btVector3 force_W_ = btVector3(0, 0, 0);
   btVector3 torque_W_ = btVector3(0, 0, 0);
-  // Of the step.
+  // The step under way.
   bool is_constrained_ = false;
   btVector3 given_W_ = btVector3(0, 0, 0);
   CompositeBody::Wrench cancelling_{btVector3(0, 0, 0), btVector3(0, 0, 0)};

@@ -22,13 +22,12 @@ btMultiBody& require_one_body(btMultiBody& multibody) {
   if (!turns_as_one_body(multibody)) {
     throw std::invalid_argument(
         "a btMultiBody with links that move cannot be rotated by a scheme: they turn each other, and Bullet "
-        "turns "
-        "them all; one without links, or with fixed ones only, can");
+        "turns them all; one without links, or with fixed ones only, can");
   }
   return multibody;
 }
 
-// What stands for the object in the choices.
+// Returns the body that stands for the object in the choices.
 btRigidBody& require_body(WorldStepper& stepper, btCollisionObject& object) {
   if (btRigidBody* const body = btRigidBody::upcast(&object)) return *body;
   const btMultiBodyLinkCollider* const collider = btMultiBodyLinkCollider::upcast(&object);
