@@ -112,8 +112,7 @@ btSimulationIslandManager* make(btSimulationIslandManager& worlds_own, SolveList
   throw std::invalid_argument(
       "the island manager of this world is of a class of its own, and RotationPlugin would have to take its "
       "place: put Bullet's own in (btSimulationIslandManager or btSimulationIslandManagerMt), or make the "
-      "world "
-      "as a RotationWorld");
+      "world as a RotationWorld");
 }
 
 }  // namespace

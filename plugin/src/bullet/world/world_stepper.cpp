@@ -2,19 +2,19 @@
 
 #include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
 
-#include <algorithm>
 #include <mutex>
 #include <new>
 #include <stdexcept>
-#include <string>
 #include <unordered_set>
 #include <utility>
 
+#include "bullet/batch/multibody_stages.h"
 #include "bullet/batch/stages.h"
 #include "bullet/body/integrated_pose.h"
 #include "bullet/internals/body_list.h"
 #include "bullet/internals/prefetch.h"
 #include "bullet/world/parallel_loop.h"
+#include "bullet/world/supported_world.h"
 #include "polhode/bullet/conversions.h"
 
 namespace polhode {
@@ -24,27 +24,6 @@ namespace {
 
 // Long enough that handing a part to a thread does not show, short enough that the threads end together.
 constexpr int kBatchesInPart = 32;
-
-btDiscreteDynamicsWorld& require_discrete(btDynamicsWorld& world) {
-  const btDynamicsWorldType type = world.getWorldType();
-  if (type == BT_DISCRETE_DYNAMICS_WORLD || type == BT_SOFT_RIGID_DYNAMICS_WORLD ||
-      type == BT_SOFT_MULTIBODY_DYNAMICS_WORLD) {
-    return static_cast<btDiscreteDynamicsWorld&>(world);
-  }
-  if (type == BT_DEFORMABLE_MULTIBODY_DYNAMICS_WORLD) {
-    throw std::invalid_argument(
-        "the bodies of a btDeformableMultiBodyDynamicsWorld cannot be rotated by a scheme: it steps rigid "
-        "and "
-        "deformable bodies together, in a solver of its own. Put the rigid bodies into another world, such "
-        "as "
-        "btSoftMultiBodyDynamicsWorld");
-  }
-  throw std::invalid_argument(
-      "the bodies of this kind of world cannot be rotated by a scheme (btDynamicsWorldType " +
-      std::to_string(type) +
-      "): valid are btDiscreteDynamicsWorld, btDiscreteDynamicsWorldMt, btSoftRigidDynamicsWorld, "
-      "btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld and classes derived from them");
-}
 
 // Each stage fetches what it needs of a batch and its bodies while the one before is computed.
 void prefetch_for_prediction(const Batch& batch) {
@@ -74,21 +53,6 @@ void prefetch_for_integration(const Batch& batch) {
   }
 }
 
-void prefetch_multibodies(const Batch& batch) {
-  prefetch(&batch, &batch + 1);
-  for (btRigidBody* body : batch.bodies) {
-    if (body != nullptr) MultibodyProxy::of(*body).prefetch();
-  }
-}
-
-// function(proxy, lane) for those of the lanes that have a body.
-template <class Function>
-void for_proxies(const Batch& batch, LaneBits lanes, const Function& function) {
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (lanes[lane] && batch.bodies[lane] != nullptr) function(MultibodyProxy::of(*batch.bodies[lane]), lane);
-  }
-}
-
 // Returns those of the lanes that continuous collision detection will not stop in this step.
 LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& context) {
   for (std::size_t lane = 0; lane < kLanes && batch.may_be_clamped.any(); ++lane) {
@@ -100,7 +64,7 @@ LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& contex
 
 }  // namespace
 
-WorldStepper::WorldStepper(btDynamicsWorld& world) : world_(&require_discrete(world)), multibodies_(world) {
+WorldStepper::WorldStepper(btDynamicsWorld& world) : world_(&require_supported(world)), multibodies_(world) {
   require_matching_bullet();
   attach();
 }
@@ -324,26 +288,8 @@ void WorldStepper::before_solve_of_bodies(btScalar dt) noexcept {
 
 void WorldStepper::before_solve_of_multibodies(btScalar dt) noexcept {
   find_constrained_multibodies(multibodies_, of_multibodies_.is_constrained);
-  for_batches(dt, of_multibodies_, prefetch_multibodies, [](Batch& batch, const StepContext& context) {
-    for_proxies(batch, ~LaneBits(), [](MultibodyProxy& proxy, std::size_t) { proxy.read(); });
-    polhode::before_solve(batch, context);
-    for_proxies(batch, batch.in_solve, [&batch](MultibodyProxy& proxy, std::size_t lane) {
-      proxy.give_to_solver(batch.constrained[lane]);
-    });
-  });
+  for_batches(dt, of_multibodies_, prefetch_multibodies, polhode::before_solve_of_multibodies);
   if (has_incident_) forget_contacts_of_sanitized(of_multibodies_, *world_->getDispatcher());
-}
-
-void WorldStepper::after_integration_of_multibodies(btScalar dt) noexcept {
-  for_batches(dt, of_multibodies_, prefetch_multibodies, [](Batch& batch, const StepContext& context) {
-    const LaneBits lanes = batch.in_solve;
-    for_proxies(batch, lanes,
-                [&context](MultibodyProxy& proxy, std::size_t) { proxy.read_solved(context.dt); });
-    after_solve(batch, lanes, PoseIntegratedBy::library, context);
-    for_proxies(batch, lanes, [&batch](MultibodyProxy& proxy, std::size_t lane) {
-      if (moves(proxy.body())) proxy.write(batch.state(lane).q_WB);
-    });
-  });
 }
 
 // The next step will do as well.
@@ -380,7 +326,8 @@ void WorldStepper::after_integration(btScalar dt) noexcept {
 }
 
 void WorldStepper::end_step(btScalar dt) {
-  if (multibodies_.size() > 0) after_integration_of_multibodies(dt);
+  if (multibodies_.size() > 0)
+    for_batches(dt, of_multibodies_, prefetch_multibodies, after_integration_of_multibodies);
   if (!has_incident_) return;
   has_incident_ = false;
   incidents.report({&rigid_, &of_multibodies_}, *world_->getDispatcher(), [this] {

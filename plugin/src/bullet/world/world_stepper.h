@@ -86,7 +86,6 @@ class WorldStepper {
                          const BulletsStage& bullet);
   void before_solve_of_bodies(btScalar dt) noexcept;
   void before_solve_of_multibodies(btScalar dt) noexcept;
-  void after_integration_of_multibodies(btScalar dt) noexcept;
   void forget_choices_of_gone() noexcept;
   bool apply_choices_if_possible() noexcept;
   /// After everything that Bullet does to the bodies.
