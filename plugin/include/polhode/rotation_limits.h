@@ -17,12 +17,16 @@ inline constexpr double kMaximumAngularSpeed = 1e9;
 /// velocity, from overflowing.
 inline constexpr double kMaximumSwelling = 1e4;
 
+/// The least squared norm of q_WB. In a step of more radians than double can count, normalizing leaves nothing of it.
+inline constexpr double kMinimumQuaternionNorm2 = 0.5;
+
 /// Returns true if a body in this state has not diverged.
 inline bool within_limits(const RotationState& state) {
   // Written so that NaN is not within the limits.
   return state.omega_W.squaredNorm() <= kMaximumAngularSpeed * kMaximumAngularSpeed &&
          state.R_WB.colwise().squaredNorm().maxCoeff() <= kMaximumSwelling * kMaximumSwelling &&
-         state.all_finite() && std::isfinite(state.energy());
+         state.q_WB.squaredNorm() >= kMinimumQuaternionNorm2 && state.all_finite() &&
+         std::isfinite(state.energy());
 }
 
 }  // namespace polhode

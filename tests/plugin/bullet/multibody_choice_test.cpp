@@ -138,14 +138,30 @@ TYPED_TEST(MultibodyChoice, IsNotForLinksThatMoveOrAFixedBase) {
   for (btMultiBody* multibody : {&chain, &fixed}) this->scene_.world().removeMultiBody(multibody);
 }
 
+// With global velocities links go on with those of the last step, also fixed ones.
+TYPED_TEST(MultibodyChoice, IsAskedForAsItIsNow) {
+  const std::vector<FixedPart> parts = {
+      {btScalar(0.5), btVector3(1, 1, 1), btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0))}};
+  btMultiBody& multibody =
+      this->scene_.add_free_multibody(kInertia, kOmega, btQuaternion::getIdentity(), parts);
+  this->scene_.step(kDt);
+  EXPECT_TRUE(this->rotation().manages(multibody));
+  multibody.useGlobalVelocities(true);
+  EXPECT_FALSE(this->rotation().manages(multibody));
+  multibody.useGlobalVelocities(false);
+  EXPECT_TRUE(this->rotation().manages(multibody));
+}
+
 TYPED_TEST(MultibodyChoice, KinematicItIsTheApplications) {
   btMultiBody& multibody = this->scene_.add_multibody_box(btVector3(1, 1, 1), 1, btTransform::getIdentity());
   multibody.setBaseOmega(kOmega);
   multibody.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
+  EXPECT_EQ(this->rotation().managed_bodies(), 0U);
   this->scene_.step(kDt, 3);
   EXPECT_FALSE(this->rotation().manages(multibody));
   EXPECT_EQ(multibody.getWorldToBaseRot(), btQuaternion::getIdentity());
   multibody.setBaseDynamicType(btCollisionObject::CF_DYNAMIC_OBJECT);
+  EXPECT_EQ(this->rotation().managed_bodies(), 1U);
   this->scene_.step(kDt, 3);
   EXPECT_EQ(this->rotation().rotation_of(multibody).steps, 3U);
 }
@@ -307,6 +323,30 @@ TYPED_TEST(MultibodyChoice, StopsWhenItsSchemeDiverges) {
   EXPECT_TRUE(this->rotation().rotation_of(multibody).diverged);
   EXPECT_EQ(multibody.getBaseOmega(), btVector3(0, 0, 0));
   EXPECT_TRUE(multibody.getUseGyroTerm());
+  this->scene_.step(kDt);
+  multibody.setBaseOmega(btVector3(0, kNaN, 0));
+  multibody.addBaseForce(btVector3(0, 0, kNaN));
+  this->scene_.step(kDt);
+  EXPECT_TRUE(std::isfinite(multibody.getBaseOmega().length()));
+  EXPECT_TRUE(std::isfinite(multibody.getBasePos().length()));
+  EXPECT_TRUE(std::isfinite(multibody.getWorldToBaseRot().length()));
+}
+
+// In such a step the angle is past what double can count, and Bullet's own orientation is not finite.
+TYPED_TEST(MultibodyChoice, StopsInAStepTooLongToTurnIt) {
+  const std::vector<FixedPart> parts = {
+      {btScalar(0.5), btVector3(1, 1, 1), btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0))}};
+  const btVector3 slow_W(btScalar(1e-9), btScalar(2e-9), 0);
+  const btMultiBody* const multibodies[] = {
+      &this->scene_.add_free_multibody(kInertia, slow_W),
+      &this->scene_.add_free_multibody(kInertia, slow_W, btQuaternion::getIdentity(), parts)};
+  this->scene_.step(btScalar(-3e38));
+  for (const btMultiBody* multibody : multibodies) {
+    EXPECT_NEAR(multibody->getWorldToBaseRot().length(), 1, btScalar(1e-6));
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(multibody->getBasePos()[i])) << i;
+    EXPECT_EQ(multibody->getBaseOmega(), btVector3(0, 0, 0));
+    EXPECT_TRUE(this->rotation().rotation_of(*multibody).diverged);
+  }
 }
 
 TEST(MultibodyPlugin, LeavesMultibodiesAsTheyWere) {

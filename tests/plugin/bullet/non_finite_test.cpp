@@ -249,6 +249,15 @@ TYPED_TEST(Overflow, OfThePositionLeavesTheBodyWhereItWas) {
 }
 
 // Bullet rotates a body that has diverged, here by a gyroscopic term that is no number.
+TYPED_TEST(Overflow, OfAnOrientationThatIsNoRotationIsSomeRotation) {
+  TypeParam scene;
+  btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(1, 2, 3));
+  scene.step(kDt);
+  const btScalar largest = std::numeric_limits<btScalar>::max();
+  body.getWorldTransform().getBasis()[0] = btVector3(largest, -30, -2);
+  EXPECT_NEAR(scene.rotation().rotation_of(body).state.q_WB.norm(), 1.0, 1e-12);
+}
+
 TYPED_TEST(Overflow, OfADivergedBodyIsTakenOutInTheSameStep) {
   TypeParam scene;
   const btScalar huge = std::numeric_limits<btScalar>::max();

@@ -39,7 +39,12 @@ inline btMatrix3x3 to_bullet(const Matrix3& m) {
 
 /// Returns the rotation that a Bullet basis represents.
 inline Quaternion to_quaternion(const btMatrix3x3& basis) {
-  return Quaternion(to_double(basis)).normalized();
+  Matrix3 R = to_double(basis);
+  // Of larger numbers, which make no rotation, the length would overflow.
+  constexpr double kLarge = 1e100;
+  const double largest = R.cwiseAbs().maxCoeff();
+  if (largest > kLarge) R /= largest;
+  return Quaternion(R).normalized();
 }
 
 /// Returns true if every component is equal; the fourth, with which Bullet pads, does not count.

@@ -17,6 +17,15 @@ void for_proxies(const Batch& batch, LaneBits lanes, const Function& function) {
   }
 }
 
+// Diverged ones, and those that woke within the step.
+void sanitize_multibodies_left_to_bullet(Batch& batch, const LaneBits& lanes) {
+  for_proxies(batch, lanes, [](MultibodyProxy& proxy, std::size_t) {
+    if (!proxy.is_multibody_finite()) proxy.read();
+  });
+  sanitize_left_to_bullet(batch, lanes);
+  for_proxies(batch, lanes, [](MultibodyProxy& proxy, std::size_t) { proxy.take_out_non_finite(); });
+}
+
 }  // namespace
 
 void prefetch_multibodies(const Batch& batch) {
@@ -30,6 +39,8 @@ void before_solve_of_multibodies(Batch& batch, const StepContext& context) noexc
   for_proxies(batch, batch.in_solve, [&batch](MultibodyProxy& proxy, std::size_t lane) {
     proxy.give_to_solver(batch.constrained[lane]);
   });
+  for_proxies(batch, batch.diverged,
+              [](MultibodyProxy& proxy, std::size_t) { proxy.take_out_non_finite(); });
 }
 
 void after_integration_of_multibodies(Batch& batch, const StepContext& context) noexcept {
@@ -40,6 +51,7 @@ void after_integration_of_multibodies(Batch& batch, const StepContext& context) 
   for_proxies(batch, lanes, [&batch](MultibodyProxy& proxy, std::size_t lane) {
     if (moves(proxy.body())) proxy.write(batch.state(lane).q_WB);
   });
+  sanitize_multibodies_left_to_bullet(batch, ~lanes);
 }
 
 }  // namespace POLHODE_PRECISION

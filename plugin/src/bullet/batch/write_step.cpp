@@ -14,12 +14,13 @@ void find_within_limits(const WideState& state, LaneBits& result) noexcept {
   const Vector3Wide columns2(state.R_WB.col(0).squaredNorm(), state.R_WB.col(1).squaredNorm(),
                              state.R_WB.col(2).squaredNorm());
   // 0 times a finite number is 0, times any other NaN.
-  const Wide probe =
-      (state.q_WB.coeffs().squaredNorm() + columns2[0] + columns2[1] + columns2[2]) * Wide(0.0) +
-      Wide(state.omega_W.dot(state.L_W)) * Wide(0.0);
+  const Wide q2 = state.q_WB.coeffs().squaredNorm();
+  const Wide probe = (q2 + columns2[0] + columns2[1] + columns2[2]) * Wide(0.0) +
+                     Wide(state.omega_W.dot(state.L_W)) * Wide(0.0);
   const Wide longest2 = max(max(columns2[0], columns2[1]), columns2[2]);
   result = ((state.omega_W.squaredNorm() <= Wide(kMaximumAngularSpeed * kMaximumAngularSpeed)) &
-            (longest2 <= Wide(kMaximumSwelling * kMaximumSwelling)) & (probe == Wide(0.0)))
+            (longest2 <= Wide(kMaximumSwelling * kMaximumSwelling)) & (Wide(kMinimumQuaternionNorm2) <= q2) &
+            (probe == Wide(0.0)))
                .lanes();
 }
 

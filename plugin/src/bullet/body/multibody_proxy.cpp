@@ -127,7 +127,10 @@ bool MultibodyProxy::is_multibody_finite() const {
                     multibody_.getBaseOmega(), forces);
 }
 
-// The library has set the proxy to something finite: the multibody follows.
+void MultibodyProxy::take_out_non_finite() {
+  if (!is_multibody_finite() && is_finite(body_)) write_what_is_not_finite();
+}
+
 void MultibodyProxy::write_what_is_not_finite() {
   const btQuaternion& q = multibody_.getWorldToBaseRot();
   const bool is_turned_finite = are_finite(btVector3(q.x(), q.y(), q.z()), btVector3(q.w(), 0, 0));
@@ -155,7 +158,7 @@ void MultibodyProxy::write_what_is_not_finite() {
 }
 
 void MultibodyProxy::give_to_solver(bool is_constrained) {
-  if (!is_multibody_finite()) write_what_is_not_finite();
+  take_out_non_finite();
   is_constrained_ = is_constrained;
   given_W_ = body_.getAngularVelocity();
   force_W_ = multibody_.getBaseForce();
@@ -208,8 +211,15 @@ void MultibodyProxy::read_solved(btScalar dt) {
   body_.forceActivationState(is_moved_by_bullet() ? ACTIVE_TAG : ISLAND_SLEEPING);
 }
 
+// The spin is finite, but the base it takes about the centre of mass has no finite velocity.
+void MultibodyProxy::stop_turning() {
+  body_.setAngularVelocity(btVector3(0, 0, 0));
+  multibody_.setBaseOmega(btVector3(0, 0, 0));
+  multibody_.setBaseVel(solved_centre_velocity_);
+}
+
 void MultibodyProxy::write(const Quaternion& q_WC) {
-  if (!is_multibody_finite()) write_what_is_not_finite();
+  take_out_non_finite();
   if (!are_finite(solved_centre_velocity_)) solved_centre_velocity_ = body_.getLinearVelocity();
   const Quaternion q_WB = composite_.has_links() ? Quaternion(q_WC * composite_.q_BC().conjugate()) : q_WC;
   multibody_.setWorldToBaseRot(rounded(q_WB.conjugate()));
@@ -218,6 +228,7 @@ void MultibodyProxy::write(const Quaternion& q_WC) {
     const btVector3 centre_W = centre_from_base_W();
     multibody_.setBasePos(body_.getWorldTransform().getOrigin() - centre_W);
     multibody_.setBaseVel(solved_centre_velocity_ - body_.getAngularVelocity().cross(centre_W));
+    if (!are_finite(multibody_.getBaseVel())) stop_turning();
   }
   move_colliders();
   written_q_BW_ = multibody_.getWorldToBaseRot();

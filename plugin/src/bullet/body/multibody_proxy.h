@@ -43,6 +43,9 @@ class MultibodyProxy {
   void prefetch() const;
   /// Reads the motion, the inertia, what acts, and whether Bullet moves the multibody at present.
   void read() noexcept;
+  bool is_multibody_finite() const;
+  /// Where the multibody is not finite it follows the proxy, which the library has set to something finite.
+  void take_out_non_finite();
   /// Right before the solve: hands over the velocity and torque of the proxy, and takes the switches.
   void give_to_solver(bool is_constrained);
   /// After Bullet's integration: gives the switches back and reads the velocity with which Bullet turned.
@@ -55,8 +58,8 @@ class MultibodyProxy {
   btVector3 centre_from_base_W() const;
   void give_as_composite();
   bool acted(const btVector3& solved_W, btScalar dt) const;
-  bool is_multibody_finite() const;
   void write_what_is_not_finite();
+  void stop_turning();
   void move_colliders();
 
   btMultiBody& multibody_;

@@ -21,6 +21,11 @@ struct BodyGroup {
   btMultiBody* multibody(std::size_t index) const {
     return multibodies == nullptr ? nullptr : &(*multibodies)[index].multibody();
   }
+  /// As it is now: the proxy of a multibody knows it from the last step.
+  bool is_static_or_kinematic(std::size_t index) const {
+    if (multibodies == nullptr) return registry.bodies()[index]->isStaticOrKinematicObject();
+    return multibody(index)->isBaseStaticOrKinematic();
+  }
   /// Null for a multibody whose base has no collider.
   const btCollisionObject* collision_object(std::size_t index) const {
     if (multibodies == nullptr) return registry.bodies()[index];

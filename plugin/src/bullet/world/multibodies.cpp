@@ -78,7 +78,9 @@ int Multibodies::index_of(const btMultiBody& multibody) const {
 bool Multibodies::has(const btMultiBody& multibody) const {
   const auto found = known_.find(&multibody);
   const int place = found == known_.end() ? -1 : found->second.place;
-  return place >= 0 && place < world_->getNumMultibodies() && world_->getMultiBody(place) == &multibody;
+  const bool is_there =
+      place >= 0 && place < world_->getNumMultibodies() && world_->getMultiBody(place) == &multibody;
+  return is_there && turns_as_one_body(multibody);
 }
 
 }  // namespace POLHODE_PRECISION

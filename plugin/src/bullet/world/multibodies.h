@@ -37,7 +37,7 @@ class Multibodies {
   MultibodyProxy& operator[](std::size_t index) const { return MultibodyProxy::of(*bodies_[index]); }
   /// -1 if it is not among them.
   int index_of(const btMultiBody& multibody) const;
-  /// Returns whether the multibody is in the world now, and was so when the list was last followed.
+  /// Returns whether the multibody is in the world now and turns as one body, and was so when the list was last followed.
   bool has(const btMultiBody& multibody) const;
 
   /// Null if the world holds no multibodies.

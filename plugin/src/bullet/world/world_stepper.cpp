@@ -177,10 +177,8 @@ std::size_t WorldStepper::managed_bodies() {
   std::size_t count = 0;
   for (const BodyGroup* group : {&rigid_, &of_multibodies_}) {
     const BodyRegistry& registry = group->registry;
-    for (std::size_t i = 0; i < registry.bodies().size(); ++i) {
-      count +=
-          registry.lane_at(i).batch != nullptr && !registry.bodies()[i]->isStaticOrKinematicObject() ? 1 : 0;
-    }
+    for (std::size_t i = 0; i < registry.bodies().size(); ++i)
+      count += registry.lane_at(i).batch != nullptr && !group->is_static_or_kinematic(i) ? 1 : 0;
   }
   return count;
 }
