@@ -4,14 +4,12 @@
 
 namespace polhode::fuzz {
 
-void Rope::hang(btSoftRigidDynamicsWorld& world) {
+void Rope::make(btSoftBodyWorldInfo& info) {
   constexpr int kNodesBetween = 6;
   constexpr int kBothEndsFixed = 3;
-  btSoftBodyWorldInfo& info = world.getWorldInfo();
   info.m_sparsesdf.Initialize();
   body.reset(btSoftBodyHelpers::CreateRope(info, btVector3(-2, 0, 1), btVector3(2, 0, 1), kNodesBetween,
                                            kBothEndsFixed));
-  world.addSoftBody(body.get());
 }
 
 void Pendulum::hang(btMultiBodyDynamicsWorld& world) {

@@ -4,7 +4,6 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletSoftBody/btSoftBody.h>
-#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 #include <btBulletCollisionCommon.h>
 
 #include <memory>
@@ -14,7 +13,12 @@ namespace polhode::fuzz {
 
 /// Hangs between two points at a height of 1.
 struct Rope {
-  void hang(btSoftRigidDynamicsWorld& world);
+  template <class World>
+  void hang(World& world) {
+    make(world.getWorldInfo());
+    world.addSoftBody(body.get());
+  }
+  void make(btSoftBodyWorldInfo& info);
 
   std::unique_ptr<btSoftBody> body;
 };

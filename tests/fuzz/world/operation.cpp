@@ -47,10 +47,17 @@ btVector3 read_vector(Bytes& bytes, const Limits& limits) {
   return {x, y, read_scalar(bytes, limits)};
 }
 
-// Half of all operations are steps.
-Kind read_kind(Bytes& bytes) {
+// Half of all operations are steps, and in worlds with multibodies an eighth are for these.
+Kind read_kind(Bytes& bytes, const Limits& limits) {
+  constexpr std::uint8_t kFirstStep = 128;
+  constexpr std::uint8_t kFirstOfMultibody = 96;
+  constexpr std::uint8_t kKinds = static_cast<std::uint8_t>(Kind::step) + 1;
+  constexpr std::uint8_t kKindsOfMultibody = static_cast<std::uint8_t>(Kind::count) - kKinds;
   const std::uint8_t number = bytes.byte();
-  return number >= 128 ? Kind::step : static_cast<Kind>(number % static_cast<std::size_t>(Kind::count));
+  if (number >= kFirstStep) return Kind::step;
+  if (number >= kFirstOfMultibody && has_multibodies(limits.world_kind))
+    return static_cast<Kind>(kKinds + number % kKindsOfMultibody);
+  return static_cast<Kind>(number % kKinds);
 }
 
 bool is_allowed(const Operation& operation, const Limits& limits) {
@@ -75,7 +82,7 @@ bool is_allowed(const Operation& operation, const Limits& limits) {
 
 Operation read_operation(Bytes& bytes, const Limits& limits) {
   Operation operation;
-  operation.kind = read_kind(bytes);
+  operation.kind = read_kind(bytes, limits);
   const std::uint8_t selection = bytes.byte();
   operation.variant = selection / 4U;
   operation.world = selection % 8 == 7 ? 1 : 0;
@@ -128,7 +135,15 @@ std::string text(const Operation& operation) {
                                       "material",
                                       "settings",
                                       "within_step",
-                                      "step"};
+                                      "step",
+                                      "add_multibody",
+                                      "take_multibody",
+                                      "erase_multibody",
+                                      "move_multibody",
+                                      "push_multibody",
+                                      "set_multibody",
+                                      "choose_for_multibody",
+                                      "pin_multibody"};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Kind::count));
   std::ostringstream out;
   out.precision(std::numeric_limits<btScalar>::max_digits10);

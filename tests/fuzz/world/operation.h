@@ -14,6 +14,7 @@ namespace polhode::fuzz {
 
 constexpr std::size_t kSlots = 12;  ///< bodies that a world may have
 constexpr std::size_t kJoints = 6;
+constexpr std::size_t kMultibodies = 4;  ///< many that touch cost Bullet's solver about their number^4
 
 /// One thing that an application does to a world, its bodies or the library.
 enum class Kind : std::uint8_t {
@@ -50,6 +51,15 @@ enum class Kind : std::uint8_t {
   settings,
   within_step,  ///< the next operation is done within the next step
   step,
+  // In tick callbacks, in actions and between steps, in worlds with multibodies:
+  add_multibody,
+  take_multibody,  ///< out of its world, or back into one
+  erase_multibody,
+  move_multibody,
+  push_multibody,
+  set_multibody,
+  choose_for_multibody,
+  pin_multibody,
   count
 };
 
@@ -71,7 +81,17 @@ struct Operation {
 };
 
 /// The class of Bullet's worlds, or a discrete world with an MLCP solver.
-enum class WorldKind : std::uint8_t { discrete, soft_rigid, multi_body, mlcp, count };
+enum class WorldKind : std::uint8_t { discrete, soft_rigid, multi_body, mlcp, soft_multi_body };
+
+constexpr bool has_multibodies(WorldKind kind) {
+  return kind == WorldKind::multi_body || kind == WorldKind::soft_multi_body;
+}
+constexpr bool has_soft_bodies(WorldKind kind) {
+  return kind == WorldKind::soft_rigid || kind == WorldKind::soft_multi_body;
+}
+constexpr bool is_of_multibody(Kind kind) {
+  return kind > Kind::step;
+}
 
 /// What the operations of an input may do. The fewer, the more can be checked.
 struct Limits {

@@ -39,6 +39,7 @@ Side::Side(Way way, const Limits& limits) : way_(way), limits_(limits) {
 
 Side::~Side() {
   for (Joint& joint : joints_) unjoin(joint);
+  for (MultibodySlot& slot : multibodies_) remove(slot);
   for (BodySlot& slot : slots_) remove(slot);
 }
 
@@ -48,6 +49,7 @@ void Side::make_world(std::size_t index) {
   made.world->setInternalTickCallback(before_tick, this, true);
   made.world->setInternalTickCallback(after_tick, this, false);
   choices_[index].fill(Choice::unset);
+  multibody_choices_[index].fill(Choice::unset);
   has_default_[index] = true;
   if (made.rotation == nullptr) return;
   if (!limits_.managed) {
@@ -56,9 +58,16 @@ void Side::make_world(std::size_t index) {
   }
   made.rotation->set_incident_handler([this, &made, index](const Incident& incident) {
     ++made.reports;
-    if (incident.kind == IncidentKind::non_finite_body) has_seen_non_finite_ = true;
+    if (incident.kind == IncidentKind::non_finite_body) has_left_contract_ = true;
+    for (const MultibodySlot& slot : multibodies_) {
+      if (incident.multibody != nullptr && incident.body == nullptr &&
+          slot.multibody() == incident.multibody && slot.world == static_cast<int>(index))
+        return;
+    }
     for (const BodySlot& slot : slots_) {
-      if (slot.body() == incident.body && slot.world == static_cast<int>(index)) return;
+      if (incident.body != nullptr && incident.multibody == nullptr && slot.body() == incident.body &&
+          slot.world == static_cast<int>(index))
+        return;
     }
     fail("an incident names a body that is not in the world");
   });
@@ -77,6 +86,7 @@ void Side::forget_choices_of_absent(std::size_t world) {
   for (std::size_t i = 0; i < kSlots; ++i) {
     if (slots_[i].world != static_cast<int>(world)) choices_[world][i] = Choice::unset;
   }
+  forget_choices_of_absent_multibodies(world);
 }
 
 void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
@@ -84,7 +94,10 @@ void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
   if (place == Place::after) {
     has_taken_step_ = true;
     for (BodySlot& slot : slots_) slot.is_finite_at_tick = slot.body() != nullptr && is_finite(*slot.body());
+    for (MultibodySlot& slot : multibodies_)
+      slot.is_finite_at_tick = slot.multibody() != nullptr && is_finite(*slot.multibody());
   }
+  if (place == Place::action) check_left_as_they_were(true);
   // By index: an operation may come back to here through a motion state.
   for (std::size_t i = 0; i < script_.size(); ++i) {
     if (script_[i].place != place || script_[i].kind == Kind::step) continue;
@@ -97,12 +110,20 @@ void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
     script_[i].kind = Kind::step;  // once a step
     if (place == Place::motion_state) has_acted_in_motion_state_ = true;
     apply(operation);
+    if (is_of_multibody(operation.kind)) {
+      MultibodySlot& slot = multibodies_[operation.slot % kMultibodies];
+      if (slot.multibody() != nullptr && place != Place::before && !is_finite(*slot.multibody()))
+        slot.left_non_finite = true;
+      continue;
+    }
     BodySlot& slot = slots_[operation.slot];
     if (slot.body() != nullptr && place != Place::before && place != Place::contact &&
         !is_finite(*slot.body()))
       slot.left_non_finite = true;
   }
-  if (place == Place::before) forget_choices_of_absent(stepped_);
+  if (place != Place::before) return;
+  forget_choices_of_absent(stepped_);
+  begin_step_of_multibodies();
 }
 
 void Side::step(const Operation& operation, const std::vector<Operation>& script) {
@@ -111,6 +132,7 @@ void Side::step(const Operation& operation, const std::vector<Operation>& script
     slot.left_non_finite = false;
     if (slot.motion_state != nullptr) slot.motion_state->is_shown = false;
   }
+  for (MultibodySlot& slot : multibodies_) slot.left_non_finite = false;
   has_acted_in_motion_state_ = false;
   script_ = script;
   stepped_ = operation.world;

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "fuzz/world/body_slot.h"
+#include "fuzz/world/multibody_slot.h"
 #include "fuzz/world/operation.h"
 #include "fuzz/world/world.h"
 
@@ -30,12 +32,14 @@ class Side {
   void check(std::size_t world);
 
   const BodySlot& slot(std::size_t index) const { return slots_[index]; }
+  const MultibodySlot& multibody(std::size_t index) const { return multibodies_[index]; }
   /// Null for plain Bullet, or a world that does not exist.
   const RotationControl* rotation(std::size_t world) const;
   /// The slots of the bodies in each overlapping pair, in Bullet's order.
   std::vector<std::pair<int, int>> pairs(std::size_t world) const;
-  /// Returns true if a number that is not finite has been seen in a body or by the library.
-  bool has_seen_non_finite() const { return has_seen_non_finite_; }
+  /// Returns true if a number that is not finite has been seen in a body or by the library, or a body that
+  /// Bullet has switched off.
+  bool has_left_contract() const { return has_left_contract_; }
 
   /// Called by Bullet and by the parts of a side.
   void in_step(Place place, btRigidBody* a = nullptr, btRigidBody* b = nullptr);
@@ -60,15 +64,35 @@ class Side {
   bool is_expected_to_be_managed(std::size_t world, std::size_t slot) const;
   void forget_choices_of_absent(std::size_t world);
   void check_body(std::size_t world, std::size_t index);
+  void check_rotation(const BodyRotation& rotation, const std::string& name) const;
   void check_motion_state(const World& world, std::size_t index);
+
+  // side_multibodies.cpp
+  btMultiBodyDynamicsWorld& multibody_world(std::size_t index) const;
+  void apply_to_multibody(const Operation& operation);
+  void put(MultibodySlot& slot, std::size_t world);
+  void remove(MultibodySlot& slot);
+  void pin(const Operation& operation, MultibodySlot& slot);
+  void unpin_from(const btRigidBody& body);
+  void leave_second_world(MultibodySlot& slot, bool with_bodies);
+  void choose_for_multibody(const Operation& operation, std::size_t index);
+  void forget_choices_of_absent_multibodies(std::size_t world);
+  void begin_step_of_multibodies();
+  void check_left_as_they_were(bool with_forces);
+  bool is_multibody_expected_to_be_managed(std::size_t world, std::size_t index) const;
+  /// Returns how many are managed.
+  std::size_t check_multibodies(std::size_t world);
+  void check_multibody(const RotationControl& rotation, std::size_t index);
 
   Way way_;
   Limits limits_;
   std::vector<std::unique_ptr<btCollisionShape>> shapes_;
   std::array<BodySlot, kSlots> slots_;
+  std::array<MultibodySlot, kMultibodies> multibodies_;
   std::array<std::unique_ptr<World>, 2> worlds_;
   std::array<Joint, kJoints> joints_;
   std::array<std::array<Choice, kSlots>, 2> choices_{};
+  std::array<std::array<Choice, kMultibodies>, 2> multibody_choices_{};
   std::array<bool, 2> has_default_{};
   std::unique_ptr<RotationPlugin> orphan_;  // a plugin whose world is gone
   std::vector<Operation> script_;
@@ -76,7 +100,7 @@ class Side {
   bool is_in_step_ = false;
   bool has_taken_step_ = false;
   bool has_acted_in_motion_state_ = false;
-  bool has_seen_non_finite_ = false;
+  bool has_left_contract_ = false;
 };
 
 }  // namespace polhode::fuzz

@@ -20,6 +20,13 @@ bool is_rotation(const btMatrix3x3& basis) {
   return true;
 }
 
+// Over a bounding box larger than Bullet takes. That is within a step, which in a RotationWorld has begun by then
+// and under a RotationPlugin has not.
+bool is_switched_off_by_bullet(const btRigidBody& body) {
+  constexpr btScalar kFast = btScalar(1e5);
+  return body.getActivationState() == DISABLE_SIMULATION && body.getLinearVelocity().length() > kFast;
+}
+
 bool keeps_no_rotation(const RotationControl& rotation, const btRigidBody& body) {
   const SchemePointer scheme = find_scheme(rotation.rotation_of(body).scheme);
   return scheme->description().rotation == Conservation::lost;
@@ -40,18 +47,19 @@ void Side::check(std::size_t world) {
   for (std::size_t i = 0; i < kSlots; ++i) {
     BodySlot& slot = slots_[i];
     if (slot.body() == nullptr) continue;
-    if (!is_finite(*slot.body())) has_seen_non_finite_ = true;
+    if (!is_finite(*slot.body()) || is_switched_off_by_bullet(*slot.body())) has_left_contract_ = true;
     // Soft bodies push rigid ones after the tick callback.
-    if (limits_.world_kind == WorldKind::soft_rigid && slot.is_finite_at_tick && !is_finite(*slot.body()))
+    if (has_soft_bodies(limits_.world_kind) && slot.is_finite_at_tick && !is_finite(*slot.body()))
       slot.left_non_finite = true;
     if (slot.body()->getFlags() != slot.flags) fail("the flags of a body are not the application's");
   }
+  const std::size_t managed_multibodies = check_multibodies(world);
   if (checked.rotation == nullptr) return;
   for (std::size_t i = 0; i < kSlots && !has_acted_in_motion_state_; ++i) {
     if (slots_[i].body() != nullptr && slots_[i].world == static_cast<int>(world))
       check_motion_state(checked, i);
   }
-  std::size_t managed = 0;
+  std::size_t managed = managed_multibodies;
   for (std::size_t i = 0; i < kSlots; ++i) {
     if (slots_[i].body() == nullptr) continue;
     const bool is_managed = checked.rotation->manages(*slots_[i].body());
@@ -78,7 +86,10 @@ void Side::check_body(std::size_t world, std::size_t index) {
     fail(name + " of the way " + std::to_string(static_cast<int>(way_)) +
          " is not finite:" + numbers(*slot.body()));
   if (slot.left_non_finite) return;
-  const BodyRotation rotation = worlds_[world]->rotation->rotation_of(*slot.body());
+  check_rotation(worlds_[world]->rotation->rotation_of(*slot.body()), name);
+}
+
+void Side::check_rotation(const BodyRotation& rotation, const std::string& name) const {
   if (!rotation.state.all_finite()) fail("rotation_of " + name + " is not finite");
   constexpr double kRounding = 1e-5;
   if (std::abs(rotation.state.q_WB.norm() - 1) > kRounding)

@@ -20,6 +20,7 @@ const SchemePointer& scheme(std::size_t variant) {
 void Side::apply(const Operation& operation) {
   const std::size_t index = operation.world;
   if (worlds_[index] == nullptr) make_world(index);
+  if (is_of_multibody(operation.kind)) return apply_to_multibody(operation);
   World& world = *worlds_[index];
   BodySlot& slot = slots_[operation.slot];
   switch (operation.kind) {
@@ -35,7 +36,7 @@ void Side::apply(const Operation& operation) {
     case Kind::erase:
       remove(slot);
       // A soft body keeps its contacts to the end of the step.
-      if (is_in_step_ && limits_.world_kind == WorldKind::soft_rigid) return;
+      if (is_in_step_ && has_soft_bodies(limits_.world_kind)) return;
       slot.destroy();
       for (auto& choices : choices_) choices[operation.slot] = Choice::unset;
       return;
@@ -116,6 +117,7 @@ void Side::remove(BodySlot& slot) {
   for (Joint& joint : joints_) {
     if (joint.a == slot.body() || joint.b == slot.body()) unjoin(joint);
   }
+  unpin_from(*slot.body());
   worlds_[static_cast<std::size_t>(slot.world)]->world->removeRigidBody(slot.body());
   slot.world = BodySlot::kLimbo;
 }
@@ -178,6 +180,7 @@ void Side::renew_second_world(const Operation& operation) {
     if (!with_bodies) remove(slot);
     slot.world = BodySlot::kLimbo;
   }
+  for (MultibodySlot& slot : multibodies_) leave_second_world(slot, with_bodies);
   world.world->removeAction(&world.action);
   if (world.plugin != nullptr && operation.variant % 4 < 2) {
     orphan_ = std::move(world.plugin);
@@ -198,6 +201,7 @@ void Side::renew_second_world(const Operation& operation) {
   }
   worlds_[1].reset();
   choices_[1].fill(Choice::unset);
+  multibody_choices_[1].fill(Choice::unset);
 }
 
 }  // namespace polhode::fuzz

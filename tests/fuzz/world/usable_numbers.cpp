@@ -18,6 +18,13 @@ bool is_finite(const btRigidBody& body) {
          is_finite(body.getInvInertiaTensorWorld());
 }
 
+bool is_finite(const btMultiBody& multibody) {
+  const btQuaternion& q = multibody.getWorldToBaseRot();
+  return is_finite(btVector3(q.x(), q.y(), q.z())) && std::isfinite(q.w()) &&
+         is_finite(multibody.getBasePos()) && is_finite(multibody.getBaseVel()) &&
+         is_finite(multibody.getBaseOmega());
+}
+
 btScalar inertia(btScalar x, bool zero_is_allowed) {
   const btScalar size = std::abs(x);
   if (size == 0 && zero_is_allowed) return 0;

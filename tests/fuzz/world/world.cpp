@@ -2,6 +2,8 @@
 
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <BulletSoftBody/btSoftMultiBodyDynamicsWorld.h>
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
 
 #include "polhode/bullet/rotation_world.h"
 #include "support/scene.h"
@@ -54,6 +56,13 @@ World::World(Way way, WorldKind kind, std::function<void()> act)
       make<btMultiBodyDynamicsWorld>(way);
       pendulum.hang(static_cast<btMultiBodyDynamicsWorld&>(*world));
       break;
+    case WorldKind::soft_multi_body: {
+      make<btSoftMultiBodyDynamicsWorld>(way);
+      auto& made = static_cast<btSoftMultiBodyDynamicsWorld&>(*world);
+      rope.hang(made);
+      pendulum.hang(made);
+      break;
+    }
     case WorldKind::mlcp:
       solver = std::make_unique<btMLCPSolver>(&direct_solver);
       make<btDiscreteDynamicsWorld>(way);
