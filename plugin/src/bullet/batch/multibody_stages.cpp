@@ -39,8 +39,7 @@ void before_solve_of_multibodies(Batch& batch, const StepContext& context) noexc
   for_proxies(batch, batch.in_solve, [&batch](MultibodyProxy& proxy, std::size_t lane) {
     proxy.give_to_solver(batch.constrained[lane]);
   });
-  for_proxies(batch, batch.diverged,
-              [](MultibodyProxy& proxy, std::size_t) { proxy.take_out_non_finite(); });
+  for_proxies(batch, batch.diverged, [](MultibodyProxy& proxy, std::size_t) { proxy.take_out_non_finite(); });
 }
 
 void after_integration_of_multibodies(Batch& batch, const StepContext& context) noexcept {
