@@ -33,14 +33,20 @@ Quaternion turn_like_bullet(const Quaternion& q_WB, const Vector3& omega_W, doub
 inline constexpr double kBulletTurnLimit = 0.78539816339744831;  // pi/4
 
 /// Returns the change of omega_B that the gyroscopic torque makes in dt, by one Newton step of implicit Euler
-/// from omega_B (handout eq. 7-9).
+/// from omega_B (handout eq. 7-9), of a body without rotors.
 Vector3 implicit_gyroscopic_change_B(const Vector3& inertia_B, const Vector3& omega_B, double dt);
 
-/// Returns the same change in world axes, for a state whose R_WB is a rotation (handout eq. 10).
+/// Returns the same change in world axes, for a state without rotors whose R_WB is a rotation (handout eq. 10).
 Vector3 implicit_gyroscopic_change_W(const RotationState& state, const Vector3& inertia_B, double dt);
 
 /// Makes `q_WB` the state's orientation, R_WB with it.
 void set_orientation(RotationState& state, const Quaternion& q_WB);
+
+/// Returns I_W omega_W for a total angular momentum of L_W: L_W - R h with the state's rotors.
+Vector3 without_rotor(const RotationState& state, const Vector3& L_W);
+
+/// Returns the total angular momentum for an I_W omega_W: the same plus R h.
+Vector3 with_rotor(const RotationState& state, const Vector3& body_momentum_W);
 
 /// Sets omega_W, and L_W to agree with it at the state's R_WB (a rotation).
 void set_omega(RotationState& state, const Vector3& inertia_B, const Vector3& omega_W);

@@ -44,6 +44,7 @@ struct SchemeDescription {
   Conservation angular_momentum = Conservation::lost;  ///< the vector L_W
   Conservation rotation = Conservation::exact;         ///< R_WB stays a rotation: det R_WB = 1
   TurnVelocity turn_velocity = TurnVelocity::mean;
+  bool takes_rotors = false;  ///< steps bodies whose RotationState::rotor_momentum_B is not 0
 };
 
 /// The input of one step, besides the state at its start.

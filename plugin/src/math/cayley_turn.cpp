@@ -19,14 +19,20 @@ constexpr double kLastStep = 1e-10;
 // kLastStep.
 constexpr double kRounding = 1e-14;
 
-Vector3 residual(const CayleyEquation& equation, const Vector3& a) {
+// I a + (dt/2) h; without rotors no 0 is added: -0 + 0 is another number to the bit.
+Vector3 m_B(const CayleyEquation& equation, const Vector3& a) {
   const Vector3 moment_B = equation.inertia_B.cwiseProduct(a);
+  return equation.half_rotor_B.isZero(0.0) ? moment_B : Vector3(moment_B + equation.half_rotor_B);
+}
+
+Vector3 residual(const CayleyEquation& equation, const Vector3& a) {
+  const Vector3 moment_B = m_B(equation, a);
   return moment_B + a.cross(moment_B) - (1.0 + equation.stretch * a.squaredNorm()) * equation.half_impulse_B;
 }
 
-// d residual / d a = I + [a] I - [I a] - 2 stretch g a^T
+// d residual / d a = I + [a] I - [m] - 2 stretch g a^T
 Matrix3 jacobian(const CayleyEquation& equation, const Vector3& a) {
-  const Vector3 moment_B = equation.inertia_B.cwiseProduct(a);
+  const Vector3 moment_B = m_B(equation, a);
   Matrix3 derivative = skew(a) * equation.inertia_B.asDiagonal() - skew(moment_B) -
                        2.0 * equation.stretch * equation.half_impulse_B * a.transpose();
   derivative.diagonal() += equation.inertia_B;
@@ -66,7 +72,8 @@ Vector3 solve(const CayleyEquation& equation, const Vector3& first_guess) {
 }  // namespace
 
 Quaternion cayley_turn_B(const CayleyEquation& equation, const Vector3& inertia_B) {
-  const Vector3 a = solve(equation, equation.half_impulse_B.cwiseQuotient(inertia_B));
+  const Vector3 a =
+      solve(equation, (equation.half_impulse_B - equation.half_rotor_B).cwiseQuotient(inertia_B));
   return Quaternion(1.0, a.x(), a.y(), a.z()).normalized();
 }
 

@@ -5,17 +5,18 @@
 /// The turn that implicit_midpoint and the two schemes of Moser and Veselov make in a step. In its Cayley
 /// vector a = tan(angle/2) axis their equations differ by one factor:
 ///
-///   I_B a + a x I_B a = (dt/2) L_B (1 + stretch |a|^2)
+///   m + a x m = (dt/2) L_B (1 + stretch |a|^2),  m = I_B a + (dt/2) h
 ///
 /// The midpoint rule has stretch 0, Moser and Veselov have 1: theirs is a midpoint step of length
-/// dt (1 + |a|^2). Either way the momenta before and after the turn are, but for a common factor, I_B a + a x
-/// I_B a and I_B a - a x I_B a. They have the same length, since a x I_B a is normal to I_B a, and the same
-/// energy, since it is normal to a.
+/// dt (1 + |a|^2). Either way the momenta before and after the turn are, but for a common factor, m + a x m
+/// and m - a x m. They have the same length, since a x m is normal to m, and the same energy, since it is normal
+/// to a. h is the momentum of the rotors.
 namespace polhode::formulas {
 
 struct CayleyEquation {
   Vector3 inertia_B;
   Vector3 half_impulse_B;  ///< (dt/2) L_B, kg m^2
+  Vector3 half_rotor_B;    ///< (dt/2) h, kg m^2
   double stretch;
 };
 

@@ -46,14 +46,23 @@ void set_orientation(RotationState& state, const Quaternion& q_WB) {
   state.R_WB = q_WB.toRotationMatrix();
 }
 
+// Without rotors no 0 is added: -0 + 0 is another number to the bit.
+Vector3 without_rotor(const RotationState& state, const Vector3& L_W) {
+  return state.has_rotor() ? Vector3(L_W - state.R_WB * state.rotor_momentum_B) : L_W;
+}
+
+Vector3 with_rotor(const RotationState& state, const Vector3& body_momentum_W) {
+  return state.has_rotor() ? Vector3(body_momentum_W + state.R_WB * state.rotor_momentum_B) : body_momentum_W;
+}
+
 void set_omega(RotationState& state, const Vector3& inertia_B, const Vector3& omega_W) {
   state.omega_W = omega_W;
-  state.L_W = formulas::times_inertia_W(state.R_WB, inertia_B, omega_W);
+  state.L_W = with_rotor(state, formulas::times_inertia_W(state.R_WB, inertia_B, omega_W));
 }
 
 void set_angular_momentum(RotationState& state, const Vector3& inertia_B, const Vector3& L_W) {
   state.L_W = L_W;
-  state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, L_W);
+  state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, without_rotor(state, L_W));
 }
 
 }  // namespace polhode

@@ -17,6 +17,10 @@ void set_all_lanes(const RotationState& state, WideState& result) {
   set_all_lanes(state.R_WB, result.R_WB);
   set_all_lanes(state.omega_W, result.omega_W);
   set_all_lanes(state.L_W, result.L_W);
+  result.rotor_momentum_B.reset();
+  if (!state.has_rotor()) return;
+  result.rotor_momentum_B.emplace();
+  set_all_lanes(state.rotor_momentum_B, *result.rotor_momentum_B);
 }
 
 POLHODE_FOR_EACH_INSTRUCTION_SET

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <type_traits>
 
 #include "math/rotation.h"
@@ -20,6 +21,7 @@ struct WideState {
   Matrix3Wide R_WB;
   Vector3Wide omega_W;
   Vector3Wide L_W;
+  std::optional<Vector3Wide> rotor_momentum_B;  ///< empty if none of the eight has a rotor
 };
 
 /// For a step written once for Real = double (one body) and Real = Wide (eight bodies).
@@ -33,14 +35,23 @@ inline void set_orientation(WideState& state, const QuaternionWide& q_WB) {
   state.R_WB = q_WB.toRotationMatrix();
 }
 
+inline Vector3Wide without_rotor(const WideState& state, const Vector3Wide& L_W) {
+  return state.rotor_momentum_B ? Vector3Wide(L_W - state.R_WB * *state.rotor_momentum_B) : L_W;
+}
+
+inline Vector3Wide with_rotor(const WideState& state, const Vector3Wide& body_momentum_W) {
+  return state.rotor_momentum_B ? Vector3Wide(body_momentum_W + state.R_WB * *state.rotor_momentum_B)
+                                : body_momentum_W;
+}
+
 inline void set_omega(WideState& state, const Vector3Wide& inertia_B, const Vector3Wide& omega_W) {
   state.omega_W = omega_W;
-  state.L_W = formulas::times_inertia_W(state.R_WB, inertia_B, omega_W);
+  state.L_W = with_rotor(state, formulas::times_inertia_W(state.R_WB, inertia_B, omega_W));
 }
 
 inline void set_angular_momentum(WideState& state, const Vector3Wide& inertia_B, const Vector3Wide& L_W) {
   state.L_W = L_W;
-  state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, L_W);
+  state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, without_rotor(state, L_W));
 }
 
 /// @name One of the bodies
@@ -61,6 +72,11 @@ inline void get_lane(std::size_t lane, const WideState& state, RotationState& re
   get_lane(lane, state.R_WB, result.R_WB);
   get_lane(lane, state.omega_W, result.omega_W);
   get_lane(lane, state.L_W, result.L_W);
+  if (state.rotor_momentum_B) {
+    get_lane(lane, *state.rotor_momentum_B, result.rotor_momentum_B);
+  } else {
+    result.rotor_momentum_B.setZero();
+  }
 }
 
 template <class Doubles, class Values>
@@ -79,13 +95,19 @@ inline void set_lane(std::size_t lane, const RotationState& state, WideState& re
   set_lane(lane, state.R_WB, result.R_WB);
   set_lane(lane, state.omega_W, result.omega_W);
   set_lane(lane, state.L_W, result.L_W);
+  if (!state.has_rotor() && !result.rotor_momentum_B) return;
+  if (!result.rotor_momentum_B) result.rotor_momentum_B = Vector3Wide::Constant(Wide(0.0));
+  set_lane(lane, state.rotor_momentum_B, *result.rotor_momentum_B);
 }
 /// @}
 
-/// In each lane `a` where the mask holds, else `b`.
+/// In each lane `a` where the mask holds, else `b`. Both have rotors, or neither.
 inline WideState select(const WideMask& mask, const WideState& a, const WideState& b) {
-  return {QuaternionWide(select(mask, a.q_WB.coeffs(), b.q_WB.coeffs())), select(mask, a.R_WB, b.R_WB),
-          select(mask, a.omega_W, b.omega_W), select(mask, a.L_W, b.L_W)};
+  WideState result = {QuaternionWide(select(mask, a.q_WB.coeffs(), b.q_WB.coeffs())),
+                      select(mask, a.R_WB, b.R_WB), select(mask, a.omega_W, b.omega_W),
+                      select(mask, a.L_W, b.L_W), std::nullopt};
+  if (a.rotor_momentum_B) result.rotor_momentum_B = select(mask, *a.rotor_momentum_B, *b.rotor_momentum_B);
+  return result;
 }
 
 }  // namespace polhode

@@ -1,7 +1,8 @@
 // axis_splitting: turns about the principal axes, one after the other.
 //
-//   T = L_1^2/(2 I_1) + L_2^2/(2 I_2) + L_3^2/(2 I_3); the motion of the j-th term alone, for a time h, is
-//   rho_j(h) = exp(h L_j/I_j e_j),  L_B <- rho_j^-1 L_B,  which leaves L_j as it is
+//   T = (L_1 - h_1)^2/(2 I_1) + (L_2 - h_2)^2/(2 I_2) + (L_3 - h_3)^2/(2 I_3), h the momentum of the rotors; the
+//   motion of the j-th term alone, for a time s, is
+//   rho_j(s) = exp(s (L_j - h_j)/I_j e_j),  L_B <- rho_j^-1 L_B,  which leaves L_j as it is
 //   q_{t+1} = q_t rho_1(dt/2) rho_2(dt/2) rho_3(dt) rho_2(dt/2) rho_1(dt/2)
 //
 // Source: R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043; S. Reich, Physica D 76 (1994) 375; J. Touma and
@@ -18,11 +19,12 @@ namespace polhode::schemes {
 
 namespace {
 
-Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_start_B, double dt) {
+Quaternion turn_B(const FreeMotion& motion) {
+  const double dt = motion.dt;
   Quaternion rho = Quaternion::Identity();
-  Vector3 L_B = L_start_B;
+  Vector3 L_B = motion.L_B;
   const auto turn_about = [&](int axis, double duration) {
-    const double angle = duration * L_B[axis] / inertia_B[axis];
+    const double angle = duration * (L_B[axis] - motion.rotor_B[axis]) / motion.inertia_B[axis];
     const Quaternion rho_axis = exponential(angle * Vector3::Unit(axis));
     rho = rho * rho_axis;
     L_B = rho_axis.conjugate() * L_B;
@@ -42,7 +44,7 @@ const RotationScheme& axis_splitting() {
       {"axis_splitting", "turns about the principal axes in turn, symmetrically",
        "McLachlan 1993, Reich 1994, Touma and Wisdom 1994",
        "|omega| dt is not small: energy swings as (|omega| dt)^2; past 2 rad a step it wanders", 2,
-       Conservation::bounded, Conservation::exact, Conservation::exact});
+       Conservation::bounded, Conservation::exact, Conservation::exact, TurnVelocity::mean, true});
   return scheme;
 }
 

@@ -7,7 +7,8 @@
 //   delta_omega_{t+1} = q_t delta_omega_b                                           (eq. 10)
 //   q_{t+1} by eq. 3
 //
-// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step.
+// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step. With rotors of the momentum h
+// inside the body, f gains dt omega_b0 x h, and I_B omega_b0 in J is I_B omega_b0 + h.
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 4; the same Newton step as
 // btRigidBody::computeGyroscopicImpulseImplicit_Body, after E. Catto, "Numerical Methods", GDC 2015.
@@ -36,9 +37,14 @@ void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
   // (8)  omega_b^0 = q^-1 omega_t
   const Vector<Real> omega_b = state.R_WB.transpose() * state.omega_W;
   // (7)  f = dt omega_b x I_b omega_b
-  const Vector<Real> f = dt * omega_cross_I_omega(input.inertia_B, omega_b);
+  Vector<Real> f = dt * omega_cross_I_omega(input.inertia_B, omega_b);
   // (9)  J = I_b + dt (Omega(omega_b) I_b - Omega(I_b omega_b))
-  const Matrix<Real> J = I_b + dt * (skew(omega_b) * I_b - skew<Real>(I_b * omega_b));
+  Matrix<Real> J = I_b + dt * (skew(omega_b) * I_b - skew<Real>(I_b * omega_b));
+  if (state.rotor_momentum_B) {
+    const Vector<Real>& h = *state.rotor_momentum_B;
+    f += dt * omega_b.cross(h);
+    J -= dt * skew(h);
+  }
   // (8)  J delta_omega_b = -f
   const Vector<Real> delta_omega_b = -solve(J, f);
   // (10), (6)  omega_{t+1} = omega_t + delta_omega + q delta_omega_b
@@ -54,7 +60,7 @@ const RotationScheme& implicit_gyroscopic() {
       {"implicit_gyroscopic", "gyroscopic torque by one Newton step of implicit Euler, which loses energy",
        "handout eq. 6-10, problem 4",
        "|omega| dt is not small: a tumble dies within seconds; past 1.4 energy may leap up", 1,
-       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end});
+       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end, true});
   return scheme;
 }
 

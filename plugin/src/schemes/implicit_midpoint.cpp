@@ -1,11 +1,12 @@
 // implicit_midpoint: the implicit midpoint rule for Euler's equations in the body frame.
 //
-//   y' - y = dt ybar x I_B^-1 ybar,  ybar = (y + y')/2      y, y' = L_B at the start and the end
-//   q_{t+1} = q_t cay(dt I_B^-1 ybar),  cay(v) = (1, v/2)/sqrt(1 + |v/2|^2)
+//   y' - y = dt ybar x omega,  omega = I_B^-1 (ybar - h),  ybar = (y + y')/2
+//   q_{t+1} = q_t cay(dt omega),  cay(v) = (1, v/2)/sqrt(1 + |v/2|^2)
 //
-// With a = (dt/2) I_B^-1 ybar the first line is y = ybar + a x ybar, y' = ybar - a x ybar, or
+// y, y' are L_B at the start and the end, h is the momentum of the rotors. With a = (dt/2) omega the first line is
+// y = ybar + a x ybar, y' = ybar - a x ybar, or
 //
-//   I_B a + a x I_B a = (dt/2) y,
+//   m + a x m = (dt/2) y,  m = I_B a + (dt/2) h,
 //
 // which is solved for a by Newton's method from (dt/2) omega_B. That turn takes y' to y, and so L_W
 // stays as it is.
@@ -26,8 +27,10 @@ namespace polhode::schemes {
 
 namespace {
 
-Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
-  return formulas::cayley_turn_B({inertia_B, 0.5 * dt * L_B, 0.0}, inertia_B);
+Quaternion turn_B(const FreeMotion& motion) {
+  const double half_dt = 0.5 * motion.dt;
+  return formulas::cayley_turn_B({motion.inertia_B, half_dt * motion.L_B, half_dt * motion.rotor_B, 0.0},
+                                 motion.inertia_B);
 }
 
 }  // namespace
@@ -37,7 +40,7 @@ const RotationScheme& implicit_midpoint() {
       {"implicit_midpoint", "implicit midpoint rule of Euler's equations with the Cayley map",
        "Austin, Krishnaprasad, Wang 1993; Lewis and Simo 1994",
        "|omega| dt is not small: a spin turns by 2 atan(|omega| dt / 2); past 2 some steps find no solution",
-       2, Conservation::exact, Conservation::exact, Conservation::exact});
+       2, Conservation::exact, Conservation::exact, Conservation::exact, TurnVelocity::mean, true});
   return scheme;
 }
 

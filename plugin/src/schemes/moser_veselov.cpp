@@ -18,8 +18,9 @@ namespace polhode::schemes {
 
 namespace {
 
-Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
-  return formulas::cayley_turn_B({inertia_B, 0.5 * dt * L_B, 1.0}, inertia_B);
+Quaternion turn_B(const FreeMotion& motion) {
+  return formulas::cayley_turn_B({motion.inertia_B, 0.5 * motion.dt * motion.L_B, Vector3::Zero(), 1.0},
+                                 motion.inertia_B);
 }
 
 }  // namespace

@@ -33,8 +33,10 @@ Vector3 preprocessed(const Vector3& inertia_B, const Vector3& L_B, double dt) {
   return inverse_B.cwiseInverse();
 }
 
-Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
-  return formulas::cayley_turn_B({preprocessed(inertia_B, L_B, dt), 0.5 * dt * L_B, 1.0}, inertia_B);
+Quaternion turn_B(const FreeMotion& motion) {
+  const Vector3 moments_B = preprocessed(motion.inertia_B, motion.L_B, motion.dt);
+  return formulas::cayley_turn_B({moments_B, 0.5 * motion.dt * motion.L_B, Vector3::Zero(), 1.0},
+                                 motion.inertia_B);
 }
 
 }  // namespace

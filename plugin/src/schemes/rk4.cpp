@@ -1,10 +1,10 @@
 // rk4: the classical Runge-Kutta method for the orientation, at constant momentum.
 //
-//   rho' = f(rho) = 1/2 rho [0, omega_B],  omega_B = I_B^-1 L_B(rho),  L_B(rho) = rho^-1 L_B rho
+//   rho' = f(rho) = 1/2 rho [0, omega_B],  omega_B = I_B^-1 (L_B(rho) - h),  L_B(rho) = rho^-1 L_B rho
 //   k1 = f(1),  k2 = f(1 + dt k1 / 2),  k3 = f(1 + dt k2 / 2),  k4 = f(1 + dt k3)
 //   rho = 1 + dt (k1 + 2 k2 + 2 k3 + k4)/6,   q_{t+1} = q_t rho/|rho|
 //
-// rho is the body's turn since the start of the step, L_B the momentum there. A stage is no unit quaternion:
+// rho is the body's turn since the start of the step, L_B the momentum there, h that of the rotors. A stage is no unit quaternion:
 // rho^-1, not its conjugate, turns the momentum without stretching it.
 //
 // Source: W. Kutta, Z. Math. Phys. 46 (1901) 435; E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
@@ -22,19 +22,21 @@ namespace {
 
 using Coefficients = Eigen::Vector4d;  // Eigen's order: x, y, z, w
 
-Coefficients rate(const Vector3& inertia_B, const Vector3& L_B, const Coefficients& rho) {
+Coefficients rate(const FreeMotion& motion, const Coefficients& rho) {
   const Quaternion turn(rho);
+  const Vector3& L_B = motion.L_B;
   const Vector3 turned_L_B = (turn.inverse() * Quaternion(0.0, L_B.x(), L_B.y(), L_B.z()) * turn).vec();
-  const Vector3 omega_B = turned_L_B.cwiseQuotient(inertia_B);
+  const Vector3 omega_B = (turned_L_B - motion.rotor_B).cwiseQuotient(motion.inertia_B);
   return 0.5 * (turn * Quaternion(0.0, omega_B.x(), omega_B.y(), omega_B.z())).coeffs();
 }
 
-Quaternion turn_B(const Vector3& inertia_B, const Vector3& L_B, double dt) {
+Quaternion turn_B(const FreeMotion& motion) {
+  const double dt = motion.dt;
   const Coefficients start = Quaternion::Identity().coeffs();
-  const Coefficients k1 = rate(inertia_B, L_B, start);
-  const Coefficients k2 = rate(inertia_B, L_B, start + 0.5 * dt * k1);
-  const Coefficients k3 = rate(inertia_B, L_B, start + 0.5 * dt * k2);
-  const Coefficients k4 = rate(inertia_B, L_B, start + dt * k3);
+  const Coefficients k1 = rate(motion, start);
+  const Coefficients k2 = rate(motion, start + 0.5 * dt * k1);
+  const Coefficients k3 = rate(motion, start + 0.5 * dt * k2);
+  const Coefficients k4 = rate(motion, start + dt * k3);
   const Coefficients rho = start + dt / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
   return Quaternion(rho).normalized();
 }
@@ -46,7 +48,7 @@ const RotationScheme& rk4() {
       {"rk4", "classical Runge-Kutta of the orientation at constant momentum",
        "Hairer, Norsett, Wanner 1993, section II.1",
        "it runs long: energy falls, by some (|omega| dt)^6/200 a step, until a plain spin is left", 4,
-       Conservation::lost, Conservation::exact, Conservation::exact});
+       Conservation::lost, Conservation::exact, Conservation::exact, TurnVelocity::mean, true});
   return scheme;
 }
 

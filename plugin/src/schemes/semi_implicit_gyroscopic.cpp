@@ -4,7 +4,8 @@
 //   omega_{t+1} = omega_t + dt I_t^-1 (tau_t - omega_t x I_t omega_t)   (eq. 4, 5)
 //   q_{t+1} by eq. 3
 //
-// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step.
+// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step. With rotors inside the body
+// I_t omega_t is the angular momentum with theirs.
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 3.
 // Order: 1. Conserves: neither energy nor L; det R exactly.
@@ -26,7 +27,7 @@ void turn(const Vector<Real>& omega_W, const Real& dt, StateOf<Real>& state) {
 
 template <class Real>
 void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
-  // (4)  tau_g = omega_t x I_t omega_t.  L_W is I_t omega_t.
+  // (4)  tau_g = omega_t x I_t omega_t.  L_W is I_t omega_t, with that of rotors.
   const Vector<Real> tau_g_W = state.omega_W.cross(state.L_W);
   // (5)  omega_{t+1} = omega_t + dt I_t^-1 (tau_t - tau_g)
   const Vector<Real> omega_W = state.omega_W + input.delta_omega_W -
@@ -41,7 +42,7 @@ const RotationScheme& semi_implicit_gyroscopic() {
   static const WideSchemeDefinition<step<Wide>, turn<Wide>> scheme(
       {"semi_implicit_gyroscopic", "gyroscopic torque by semi-implicit Euler, which gains energy",
        "handout eq. 4-5, problem 3", "it runs long: energy grows without bound until it overflows", 1,
-       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end});
+       Conservation::lost, Conservation::lost, Conservation::exact, TurnVelocity::end, true});
   return scheme;
 }
 

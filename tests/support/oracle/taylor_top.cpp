@@ -54,7 +54,7 @@ struct TaylorTop::State {
   double longest_step() const;
   Numbers4 L_W() const { return product(product(q_WB, {0, L_B[0], L_B[1], L_B[2]}), conjugate(q_WB)); }
 
-  Numbers3 inertia_B, L_B;
+  Numbers3 inertia_B, L_B, rotor_B;
   Numbers4 q_WB, start_L_W;
   // Coefficients of t^n.
   std::array<Numbers3, kOrder + 1> L_series, omega_series;
@@ -65,7 +65,9 @@ void TaylorTop::State::expand() {
   L_series[0] = L_B;
   q_series[0] = q_WB;
   for (int n = 0; n <= kOrder; ++n) {
-    for (int i = 0; i < 3; ++i) omega_series[n][i] = L_series[n][i] / inertia_B[i];
+    for (int i = 0; i < 3; ++i) {
+      omega_series[n][i] = (n == 0 ? Number(L_B[i] - rotor_B[i]) : L_series[n][i]) / inertia_B[i];
+    }
     if (n == kOrder) return;
     Numbers3 L_rate{};
     Numbers4 q_rate{};
@@ -97,7 +99,8 @@ double TaylorTop::State::longest_step() const {
   return h;
 }
 
-TaylorTop::TaylorTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& L_W)
+TaylorTop::TaylorTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& L_W,
+                     const Vector3& rotor_B)
     : state_(std::make_unique<State>()) {
   State& state = *state_;
   state.q_WB = numbers(q_WB);
@@ -108,6 +111,7 @@ TaylorTop::TaylorTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vec
   for (int i = 0; i < 3; ++i) {
     state.inertia_B[i] = inertia_B[i];
     state.L_B[i] = L_B[i + 1];
+    state.rotor_B[i] = rotor_B[i];
   }
 }
 

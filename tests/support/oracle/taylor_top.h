@@ -6,12 +6,15 @@
 
 namespace polhode::oracle {
 
-/// The torque-free rotation once more, to test FreeTop, with which it shares nothing: Taylor series of
-/// Euler's equations dL_B/dt = L_B x omega_B and of dq_WB/dt = 1/2 q_WB [0, omega_B] in 50 digits, of order
-/// 36, whose steps keep the terms left out below 1e-40. Some 0.5 ms for a step of about 0.1 rad.
+/// The torque-free rotation once more, to test FreeTop, with which it shares nothing, and that of bodies with rotors
+/// inside: Taylor series of Euler's equations dL_B/dt = L_B x omega_B, omega_B = I_B^-1 (L_B - h), and of
+/// dq_WB/dt = 1/2 q_WB [0, omega_B] in 50 digits, of order 36, whose steps keep the terms left out below 1e-40.
+/// Some 0.5 ms for a step of about 0.1 rad.
 class TaylorTop {
  public:
-  TaylorTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& L_W);
+  /// rotor_B: h, the angular momentum of the rotors, constant in body axes.
+  TaylorTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& L_W,
+            const Vector3& rotor_B = Vector3::Zero());
   ~TaylorTop();
 
   void advance(double t_s);

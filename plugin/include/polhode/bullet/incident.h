@@ -15,6 +15,9 @@ inline namespace POLHODE_PRECISION {
 enum class IncidentKind : std::uint8_t {
   scheme_diverged,  ///< the scheme left the finite or went past the bounds of rotation_limits.h
   non_finite_body,  ///< a NaN or infinity was found in the body's pose, velocity or forces and was taken out
+  /// The body's torque law threw, or returned what is not finite, or turned rotors of a scheme that takes none: the
+  /// step went on without it.
+  torque_law_failed,
 };
 
 struct Incident {

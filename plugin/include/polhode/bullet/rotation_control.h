@@ -12,6 +12,7 @@
 #include "polhode/bullet/incident.h"
 #include "polhode/bullet/precision.h"
 #include "polhode/scheme_registry.h"
+#include "polhode/torque_law.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
@@ -28,6 +29,12 @@ struct BodyRotation {
   std::uint64_t unresolved_steps = 0;
   bool diverged = false;    ///< the scheme blew up: `state` is the last finite one, the body spins no more
   std::string_view scheme;  ///< the scheme's name; valid as long as the scheme
+};
+
+/// Who gives the rotors inside a body another angular momentum.
+enum class RotorChange : std::uint8_t {
+  by_motor,      ///< a motor inside the body: L_W stays, and the body's velocity changes
+  from_outside,  ///< the body's velocity stays, and L_W changes
 };
 
 class WorldStepper;
@@ -63,7 +70,8 @@ class RotationControl {
   /// Each throws std::logic_error if the world is gone.
   /// @{
   /// The scheme of every dynamic body that has none of its own; initially polhode::default_scheme().
-  /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or a null pointer.
+  /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or a null pointer, or if the
+  /// scheme takes no rotors and a body with the default scheme has some.
   void set_default_scheme(std::string_view name);
   void set_default_scheme(SchemePointer scheme);
   /// Removes the default scheme: from now on the library rotates only bodies with a scheme of their own.
@@ -72,7 +80,7 @@ class RotationControl {
   /// Rotates the body by this scheme from the next step on, starting afresh from its present pose and
   /// velocity (a diverged body too). `body` may be a collider of a multibody.
   /// @throws std::invalid_argument for an unknown name, a null pointer, a static body, a multibody whose links
-  /// move or whose base is fixed, or an object that is neither.
+  /// move or whose base is fixed, or an object that is neither; for a scheme that takes no rotors if the body has some.
   void set_scheme(btCollisionObject& body, std::string_view name);
   void set_scheme(btCollisionObject& body, SchemePointer scheme);
   void set_scheme(btMultiBody& multibody, std::string_view name);
@@ -83,6 +91,33 @@ class RotationControl {
   /// Gives the body back to Bullet, which rotates it again.
   void release(btCollisionObject& body);
   void release(btMultiBody& multibody);
+  /// @}
+
+  /// @name What drives a body
+  /// A law and rotors stay with the body as its scheme does, through another choice of scheme too; `release` forgets
+  /// them. Each throws std::invalid_argument as set_scheme does, for a body that is not to be rotated by the library,
+  /// and for numbers that are not finite.
+  /// @{
+  /// The torque of this law acts on the body from the next step on, beside what else does. If it fails, that is an
+  /// incident, and the step goes on without it. About a locked axis of a body it has no effect; about the others it
+  /// is then of order 1.
+  /// @throws std::invalid_argument also for an empty function.
+  void set_torque_law(btCollisionObject& body, TorqueLaw law, TorqueLawOrder order = TorqueLawOrder::two);
+  void set_torque_law(btMultiBody& multibody, TorqueLaw law, TorqueLawOrder order = TorqueLawOrder::two);
+  void clear_torque_law(btCollisionObject& body);
+  void clear_torque_law(btMultiBody& multibody);
+  /// Gives rotors inside the body this angular momentum (RotationState::rotor_momentum_B, kg m^2/s) at once.
+  /// @throws std::invalid_argument also if the body's scheme does not take rotors; the message lists those that do.
+  void set_rotor_momentum(btCollisionObject& body, const Vector3& rotor_momentum_B, RotorChange change);
+  void set_rotor_momentum(btMultiBody& multibody, const Vector3& rotor_momentum_B, RotorChange change);
+  /// Motors inside the body turn its rotors by this torque (N m, body axes) until it is set to 0: their momentum grows
+  /// by it, and L_W stays.
+  /// @throws std::invalid_argument as set_rotor_momentum.
+  void set_rotor_torque(btCollisionObject& body, const Vector3& rotor_torque_B);
+  void set_rotor_torque(btMultiBody& multibody, const Vector3& rotor_torque_B);
+  /// The time of torque laws, s: that of the steps since this object was made, unless it was set.
+  double time() const;
+  void set_time(double time_s);
   /// @}
 
   /// Returns true if the library rotates this body: it is in the world, dynamic at present, and has a scheme.

@@ -79,7 +79,7 @@ LaneBits lanes_to_step(Batch& batch, const LaneBits& lanes, const Solved& solved
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_turn_velocity(const Batch& batch, const Solved& solved, const Vector3Wide& d_W,
                         Vector3Wide& result) noexcept {
-  result = batch.omega_W;
+  result = batch.driven == nullptr ? batch.omega_W : omega_with_gain_W(batch);
   if (batch.given_mean.any()) result = select(wide_mask(batch.given_mean), batch.effective->u_W, result);
   result = select(wide_mask(batch.given_torque), to_double(solved.omega_W), Vector3Wide(result + d_W));
 }
@@ -103,8 +103,10 @@ POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_turned_momentum(const Batch& batch, const BodyPointers& bodies, const Vector3Wide& velocity_W,
                           const Vector3Wide& d_W, const Wide& dt, WideState& turned) noexcept {
   const Vector3Wide inertia_B = batch.inertia_B();
-  const Vector3Wide resolved_L_W = batch.L_W + momentum_gain_W(batch, d_W, gather(bodies, total_torque), dt);
-  const Vector3Wide plain_L_W = formulas::times_inertia_W(turned.R_WB, inertia_B, velocity_W);
+  Vector3Wide resolved_L_W = batch.L_W + momentum_gain_W(batch, d_W, gather(bodies, total_torque), dt);
+  if (batch.driven != nullptr) resolved_L_W += gain_W(batch);
+  const Vector3Wide plain_L_W =
+      with_rotor(turned, formulas::times_inertia_W(turned.R_WB, inertia_B, velocity_W));
   const WideMask is_plain = wide_mask(batch.unresolved | batch.given_torque);
   set_angular_momentum(turned, inertia_B, select(is_plain, plain_L_W, resolved_L_W));
 }
@@ -125,6 +127,7 @@ void turn_by_solved(Batch& batch, const LaneBits& lanes, const WideStepInput& in
   find_turn_velocity(batch, solved, input.delta_omega_W, velocity_W);
   WideState turned = batch.wide_state();
   batch.turn(lanes, velocity_W, context.dt, turned);
+  if (batch.driven != nullptr) turned.rotor_momentum_B = rotor_end_B(batch, lanes);
   find_turned_momentum(batch, body_pointers(batch, lanes, context.bullet.placeholder()), velocity_W,
                        input.delta_omega_W, input.dt, turned);
   select_turned(lanes, turned, velocity_W, result);

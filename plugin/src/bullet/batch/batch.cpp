@@ -19,6 +19,7 @@ void load_state(const Batch& batch, WideState& state) noexcept {
   state.R_WB = batch.R_WB != nullptr ? *batch.R_WB : Matrix3Wide(batch.q_WB.toRotationMatrix());
   state.omega_W = batch.omega_W;
   state.L_W = batch.L_W;
+  if (batch.driven != nullptr) state.rotor_momentum_B = batch.driven->rotor_momentum_B();
 }
 
 // change(lane, state) for each of the lanes, one by one.
@@ -35,7 +36,7 @@ void change_lanes(const LaneBits& lanes, WideState& state, const Change& change)
 
 }  // namespace
 
-Batch::Batch(SchemePointer scheme_of_all)
+Batch::Batch(SchemePointer scheme_of_all, bool is_driven)
     : scheme(std::move(scheme_of_all)),
       wide_scheme(dynamic_cast<const WideScheme*>(scheme.get())),
       turn_velocity(scheme->description().turn_velocity),
@@ -45,13 +46,15 @@ Batch::Batch(SchemePointer scheme_of_all)
   inverse_inertia_B = {btScalar(1), btScalar(1), btScalar(1)};
   q_WB = QuaternionWide(Wide(1.0), Wide(0.0), Wide(0.0), Wide(0.0));
   omega_W = L_W = Vector3Wide::Constant(Wide(0.0));
+  if (is_driven) driven = std::make_unique<DrivenLanes>();
   if (!keeps_rotation) R_WB = std::make_unique<Matrix3Wide>(q_WB.toRotationMatrix());
   if (memory_rows() > 0) memory = std::make_unique<Wide[]>(memory_rows());
   for (std::size_t row = 0; row < memory_rows(); ++row) memory[row] = 0.0;
 }
 
-void Batch::attach(std::size_t lane, btRigidBody& body) {
+void Batch::attach(std::size_t lane, btRigidBody& body, Drive* drive) {
   bodies[lane] = &body;
+  if (driven != nullptr) driven->drives[lane] = drive;
   identities[lane] = body_identity(body);
   diverged.reset(lane);
   leave_step(lane);
@@ -72,6 +75,7 @@ void Batch::leave_step(std::size_t lane) {
 
 void Batch::detach(std::size_t lane) {
   bodies[lane] = nullptr;
+  if (driven != nullptr) driven->drives[lane] = nullptr;
   diverged.reset(lane);
   for (LaneBits& lanes : to_report) lanes.reset(lane);
   leave_step(lane);
@@ -87,6 +91,7 @@ void Batch::start(std::size_t lane) {
   RotationState first;
   set_orientation(first, to_quaternion(motion.pose.getBasis()));
   first.omega_W = to_double(motion.omega_W);
+  if (driven != nullptr) first.rotor_momentum_B = driven->drives[lane]->rotor_momentum_B;
   make_momentum_agree(moments_B(body.getInvInertiaDiagLocal()), keeps_rotation, first);
   set_state(lane, first);
 }
@@ -97,6 +102,7 @@ void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) noex
   for (auto rows : {&Batch::written_omega_W, &Batch::inverse_inertia_B, &Batch::origin}) {
     set_vector_in_lane(to, vector_in_lane(other.*rows, from), this->*rows);
   }
+  if (driven != nullptr && other.driven != nullptr) driven->move_from(*other.driven, from, to);
   bodies[to] = other.bodies[from];
   identities[to] = other.identities[from];
   list_index[to] = other.list_index[from];
@@ -143,6 +149,8 @@ RotationState Batch::state(std::size_t lane) const {
   get_lane(lane, q_WB.coeffs(), result.q_WB.coeffs());
   get_lane(lane, omega_W, result.omega_W);
   get_lane(lane, L_W, result.L_W);
+  if (driven != nullptr && driven->drives[lane] != nullptr)
+    result.rotor_momentum_B = driven->drives[lane]->rotor_momentum_B;
   if (R_WB != nullptr) {
     get_lane(lane, *R_WB, result.R_WB);
   } else {
@@ -177,7 +185,10 @@ BodyRotation Batch::rotation(std::size_t lane) const {
   RotationState now = state(lane);
   if (!diverged[lane] && is_finite(*bodies[lane])) adopt_external_changes(*this, lane, now);
   // With a velocity or moment near the largest double, L or the energy overflows: the next step stops the body.
-  if (!std::isfinite(now.energy())) now.omega_W = now.L_W = Vector3::Zero();
+  if (!std::isfinite(now.energy())) {
+    now.omega_W.setZero();
+    now.L_W = with_rotor(now, Vector3::Zero());
+  }
   return {now, now.energy(), steps[lane], unresolved_steps[lane], diverged[lane], scheme->description().name};
 }
 
@@ -187,15 +198,37 @@ WideStepInput Batch::free_input(btScalar dt) const {
 
 void Batch::step(const LaneBits& lanes, const WideStepInput& input, WideState& result,
                  Wide* memory_or_null) const {
-  if (wide_scheme != nullptr) {
-    wide_scheme->step_wide(input, wide_mask(lanes), result, memory_or_null);
+  const LaneBits one_by_one = wide_scheme == nullptr ? lanes
+                              : driven == nullptr    ? LaneBits()
+                                                     : driven->acting(lanes);
+  WideState of_others;
+  if (one_by_one.any()) {
+    of_others = result;
+    change_lanes(one_by_one, of_others, [&](std::size_t lane, RotationState& of_lane) {
+      StepInput input_of_lane;
+      get_lane(lane, input, input_of_lane);
+      step(lane, input_of_lane, of_lane);
+    });
+  }
+  if (one_by_one == lanes) {
+    result = of_others;
     return;
   }
-  change_lanes(lanes, result, [&](std::size_t lane, RotationState& of_lane) {
-    StepInput input_of_lane;
-    get_lane(lane, input, input_of_lane);
-    scheme->step(input_of_lane, of_lane);
-  });
+  const WideMask mask = wide_mask(lanes & ~one_by_one);
+  wide_scheme->step_wide(input, mask, result, memory_or_null);
+  if (one_by_one.any()) result = select(mask, result, of_others);
+}
+
+void Batch::step(std::size_t lane, const StepInput& input, RotationState& state) const {
+  if (driven == nullptr || !driven->drives[lane]->acts()) {
+    scheme->step(input, state);
+    return;
+  }
+  const DrivenStep step =
+      take_driven_step(*scheme, input, driven->starts[lane], *driven->drives[lane], state);
+  state = step.end;
+  driven->last_torques[lane] = step.last_torque;
+  driven->law_failed.set(lane, step.law_failed);
 }
 
 void Batch::turn(const LaneBits& lanes, const Vector3Wide& velocity_W, btScalar dt, WideState& result) const {

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "bullet/batch/bullet_rows.h"
+#include "bullet/batch/driven_lanes.h"
 #include "bullet/batch/effective_inertia.h"
 #include "bullet/body/non_finite.h"
 #include "polhode/bullet/rotation_control.h"
@@ -13,7 +14,7 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-inline constexpr std::size_t kIncidentKinds = 2;
+inline constexpr std::size_t kIncidentKinds = 3;
 
 /// The free step of a body that may not turn freely, as the solver is told of it.
 struct HeldTurn {
@@ -22,13 +23,18 @@ struct HeldTurn {
   Matrix3 inverse_W;
   bool is_effective;        ///< not the plain inertia
   bool is_resolved = true;  ///< false: dt is too long to resolve the gyroscopic motion
+  // What drives the body, taken at the start of the step.
+  Vector3 driven_W = Vector3::Zero();  ///< its part of velocity_W
+  Vector3 gain_W = Vector3::Zero();    ///< of L_W
+  Vector3 rotor_end_B = Vector3::Zero();
 };
 
 /// Up to eight bodies of one scheme, side by side for as long as they stay. Lane i of every member is body i;
 /// a lane without a body is a hole. Everything is double, except what Bullet's bodies held when the library
 /// last wrote them.
 struct alignas(64) Batch {
-  explicit Batch(SchemePointer scheme_of_all);
+  /// is_driven: each body has a Drive.
+  Batch(SchemePointer scheme_of_all, bool is_driven);
 
   // The scheme.
   SchemePointer scheme;
@@ -41,6 +47,7 @@ struct alignas(64) Batch {
   std::array<int, kLanes> identities{};            ///< body_identity
   std::array<std::uint32_t, kLanes> list_index{};  ///< in the world's list of bodies
   LaneBits diverged;                               ///< left to Bullet, at rest in its last finite state
+  std::unique_ptr<DrivenLanes> driven;             ///< null: none of the bodies has a Drive
 
   // Within a step.
   LaneBits begun;                         ///< lanes whose step has begun
@@ -84,15 +91,16 @@ struct alignas(64) Batch {
   /// Returns whether another body has come to the address of this one.
   bool is_replaced(std::size_t lane) const { return body_identity(*bodies[lane]) != identities[lane]; }
   std::size_t memory_rows() const { return wide_scheme != nullptr ? wide_scheme->memory_rows() : 0; }
-  /// Takes the body into a hole as it is; what is not finite is taken to be at rest in the origin.
-  void attach(std::size_t lane, btRigidBody& body);
+  /// Takes the body into a hole as it is; what is not finite is taken to be at rest in the origin. drive: null in a
+  /// batch without driven lanes.
+  void attach(std::size_t lane, btRigidBody& body, Drive* drive);
   /// Takes the body's motion as it is: its first step starts there, whenever the body was seen first.
   void start(std::size_t lane);
   void detach(std::size_t lane);
   /// Takes the body out of a step under way: Bullet has it for the rest.
   void leave_step(std::size_t lane);
-  /// Takes over the body in another batch of the same scheme, with all that is known of it. Where there is no
-  /// memory for what the solver was given, the rest of a step under way does without.
+  /// Takes over the body in another batch of the same scheme, with all that is known of it but for its drive, which
+  /// it has already. Where there is no memory for what the solver was given, the rest of a step under way does without.
   void move_from(const Batch& other, std::size_t from, std::size_t to) noexcept;
 
   RotationState state(std::size_t lane) const;
@@ -110,8 +118,10 @@ struct alignas(64) Batch {
   /// @{
   /// Without a kick.
   WideStepInput free_input(btScalar dt) const;
-  /// RotationScheme::step. memory_or_null: the batch's, or nothing to remember.
+  /// RotationScheme::step, with what drives the bodies. memory_or_null: the batch's, or nothing to remember.
   void step(const LaneBits& lanes, const WideStepInput& input, WideState& result, Wide* memory_or_null) const;
+  /// The same for one lane, which remembers nothing.
+  void step(std::size_t lane, const StepInput& input, RotationState& state) const;
   /// RotationScheme::turn.
   void turn(const LaneBits& lanes, const Vector3Wide& velocity_W, btScalar dt, WideState& result) const;
   /// @}
@@ -120,7 +130,7 @@ struct alignas(64) Batch {
   void sanitize(std::size_t lane);
 
   void note(std::size_t lane, IncidentKind kind) { to_report[static_cast<std::size_t>(kind)].set(lane); }
-  LaneBits lanes_with_incident() const { return to_report[0] | to_report[1]; }
+  LaneBits lanes_with_incident() const { return to_report[0] | to_report[1] | to_report[2]; }
 };
 
 /// Returns the object, made if there is none; null if there is no memory for one: a step does without then.

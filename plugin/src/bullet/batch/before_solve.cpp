@@ -89,12 +89,19 @@ void find_gyroscopic_torque(const Batch& batch, const Vector3Wide& end_omega_W, 
   torque_W = to_bullet(Vector3Wide(formulas::times_inertia_W(R_WB, batch.inertia_B(), change_W) / dt));
 }
 
+// The end of the free step, and what of it is not the scheme's.
+WideState free_end(Batch& batch, const LaneBits& lanes, const StepContext& context) {
+  WideState end = batch.wide_state();
+  batch.step(lanes, batch.free_input(context.dt), end, nullptr);
+  if (batch.driven != nullptr) keep_gain(batch, lanes, end);
+  return end;
+}
+
 // Schemes that carry omega hand their gyroscopic change to the solver as Bullet's own flags do, as the
 // impulse of a torque: then contacts and joints get to know of it where they would of Bullet's.
 void give_gyroscopic_torque(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   if (context.dt == btScalar(0) || make_if_null(batch.applied_torque_W) == nullptr) return;
-  WideState end = batch.wide_state();
-  batch.step(lanes, batch.free_input(context.dt), end, nullptr);
+  const WideState end = free_end(batch, lanes, context);
   BulletRows torque_W;
   find_gyroscopic_torque(batch, end.omega_W, Wide(static_cast<double>(context.dt)), torque_W);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -108,15 +115,24 @@ void give_gyroscopic_torque(Batch& batch, const LaneBits& lanes, const StepConte
   }
 }
 
+// omega, with what drives the body in the step; the free end of that is known.
+Vector3Wide start_velocity_W(const Batch& batch) {
+  return batch.driven == nullptr ? batch.omega_W : omega_with_gain_W(batch);
+}
+
 // Schemes that turn by the velocity at the start: constrained bodies still show the one of the last turn.
 void give_start_velocity(Batch& batch, const LaneBits& lanes, const StepContext& context) {
-  write_given(body_pointers(batch, lanes, context.bullet.placeholder()), lanes, batch.omega_W, batch);
+  if (batch.driven != nullptr) free_end(batch, lanes, context);
+  write_given(body_pointers(batch, lanes, context.bullet.placeholder()), lanes, start_velocity_W(batch),
+              batch);
 }
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_effective_inertia(const Batch& batch, const Vector3Wide& u_W, const Wide& dt,
-                            const ResolutionLimits& limits, EffectiveInertiaResult<Wide>& result) noexcept {
-  result = effective_inertia<Wide>(batch.q_WB, batch.L_W, batch.inertia_B(), u_W, dt, limits);
+                            double symmetric_limit, const Wide& antisymmetric_limit,
+                            EffectiveInertiaResult<Wide>& result) noexcept {
+  result = effective_inertia<Wide>(batch.q_WB, batch.L_W, batch.inertia_B(), u_W, dt, symmetric_limit,
+                                   antisymmetric_limit);
 }
 
 POLHODE_FOR_EACH_INSTRUCTION_SET
@@ -135,6 +151,15 @@ void find_slow(const Batch& batch, const Wide& dt, LaneBits& slow) noexcept {
   slow = (change2 < (kNegligible * kNegligible) * (smallest * smallest)).lanes();
 }
 
+Wide antisymmetric_limits(const Batch& batch, double without_rotors, bool takes_M) {
+  Wide limits = without_rotors;
+  for (std::size_t lane = 0; lane < kLanes && takes_M && batch.driven != nullptr; ++lane) {
+    const Drive* const drive = batch.driven->drives[lane];
+    if (drive != nullptr && !drive->rotor_momentum_B.isZero(0.0)) limits.set(lane, kResolvedWithRotors);
+  }
+  return limits;
+}
+
 // Schemes whose turn has no constant velocity: constrained bodies are given the mean one.
 void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   if (make_if_null(batch.effective) == nullptr) {
@@ -143,19 +168,20 @@ void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& 
     return;
   }
   const Wide dt = static_cast<double>(context.dt);
-  WideState end = batch.wide_state();
-  batch.step(lanes, batch.free_input(context.dt), end, nullptr);
+  const WideState end = free_end(batch, lanes, context);
   Vector3Wide u_W;
   mean_angular_velocities_W(batch.q_WB, end.q_WB, batch.omega_W, dt, u_W);
   EffectiveInertiaResult<Wide> found;
   const bool takes_M = context.solver_takes_effective_inertia;
-  find_effective_inertia(batch, u_W, dt, takes_M ? kResolvedWithM : kResolvedWithoutM, found);
+  const ResolutionLimits& limits = takes_M ? kResolvedWithM : kResolvedWithoutM;
+  find_effective_inertia(batch, u_W, dt, limits.symmetric,
+                         antisymmetric_limits(batch, limits.antisymmetric, takes_M), found);
 
   *batch.effective = found.effective;
   batch.given_mean |= lanes & found.is_resolved.lanes();
   batch.unresolved |= lanes & ~found.is_resolved.lanes();
   write_given(body_pointers(batch, lanes, context.bullet.placeholder()), lanes,
-              select(found.is_resolved, u_W, batch.omega_W), batch);
+              select(found.is_resolved, u_W, start_velocity_W(batch)), batch);
   if (!takes_M) return;
   const LaneBits effective = batch.given_mean & lanes & ~found.is_negligible.lanes();
   batch.given_effective |= effective;
@@ -165,6 +191,10 @@ void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& 
 }
 
 void give_constrained(Batch& batch, const LaneBits& lanes, const StepContext& context) {
+  if (batch.driven != nullptr) {  // slow bodies too may be under a torque, or have a fast rotor
+    give_mean_velocity(batch, lanes, context);
+    return;
+  }
   LaneBits slow;
   find_slow(batch, Wide(static_cast<double>(context.dt)), slow);
   slow &= lanes;
@@ -201,6 +231,8 @@ void before_solve(Batch& batch, const StepContext& context) noexcept {
   }
   const LaneBits looked_at_again = constrained & ~beginning;
   if (looked_at_again.any()) adopt_changes(batch, looked_at_again, context);
+
+  if (batch.driven != nullptr) begin_drive(batch, lanes, context);
 
   const LaneBits turning = constrained & ~batch.held;
   if (batch.turn_velocity == TurnVelocity::end && turning.any()) {

@@ -72,6 +72,13 @@ void scale_velocity(const LaneBits& damped, const BulletWide& factor, Batch& bat
   batch.L_W = select(mask, Vector3Wide(batch.L_W * factor_of_state), batch.L_W);
 }
 
+// Damping slows the body, not its rotors: L = f (L - R h) + R h.
+void keep_rotors(const LaneBits& damped, const WideState& before, const BulletWide& factor, Batch& batch) {
+  const Vector3Wide body_momentum_W = without_rotor(before, before.L_W);
+  const Vector3Wide L_W = with_rotor(before, Vector3Wide(body_momentum_W * Wide::converted(factor)));
+  batch.L_W = select(wide_mask(damped), L_W, batch.L_W);
+}
+
 void adopt_damping(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   LaneBits damped;
   BulletWide factor = btScalar(1);
@@ -80,7 +87,11 @@ void adopt_damping(Batch& batch, const LaneBits& lanes, const StepContext& conte
     damped.set(lane);
     factor.set(lane, context.bullet.damping_factor(batch.bodies[lane]->getAngularDamping(), context.dt));
   }
-  if (damped.any()) scale_velocity(damped, factor, batch);
+  if (damped.none()) return;
+  const std::optional<WideState> before =
+      batch.driven != nullptr ? std::make_optional(batch.wide_state()) : std::nullopt;
+  scale_velocity(damped, factor, batch);
+  if (before) keep_rotors(damped, *before, factor, batch);
 }
 
 void take_over(Batch& batch, std::size_t lane) {
@@ -96,7 +107,8 @@ void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& conte
   const BodyPointers bodies = body_pointers(batch, lanes, context.bullet.placeholder());
   Found found;
   compare_with_written(bodies, lanes, batch, found);
-  const LaneBits only_kicked = lanes & found.kicked & found.finite & ~found.changed & ~found.held;
+  LaneBits only_kicked = lanes & found.kicked & found.finite & ~found.changed & ~found.held;
+  if (batch.driven != nullptr) only_kicked = LaneBits();  // their momentum has the rotors' part
   const LaneBits others = lanes & (found.changed | found.kicked | ~found.finite) & ~only_kicked;
   if (only_kicked.any()) adopt_kicks(bodies, only_kicked, batch);
   for (std::size_t lane = 0; lane < kLanes && others.any(); ++lane) {

@@ -22,6 +22,7 @@ struct StepContext {
   const std::vector<char>& is_constrained;
   /// False for solvers that assume a symmetric inverse inertia.
   bool solver_takes_effective_inertia;
+  double time_s;  ///< at the start of the step, since the world's time began
   /// This thread's own.
   BulletTurn& bullet;
 };

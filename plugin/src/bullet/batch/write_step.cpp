@@ -82,6 +82,7 @@ void write_step(Batch& batch, const LaneBits& lanes, PoseIntegratedBy integrator
   find_within_limits(result.state, good);
   good &= lanes;
   store(good, solved, result, batch);
+  if (batch.driven != nullptr) end_drive(batch, good, result.state);
   if (batch.R_WB != nullptr) *batch.R_WB = select(wide_mask(good), result.state.R_WB, *batch.R_WB);
   scatter_step(batch, body_pointers(batch, good, context.bullet.placeholder()), solved.linear_velocity,
                result.mean_W);

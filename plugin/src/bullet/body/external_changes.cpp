@@ -13,7 +13,7 @@ void make_momentum_agree(const Vector3& inertia_B, bool keeps_rotation, Rotation
   if (keeps_rotation) {
     set_omega(state, inertia_B, state.omega_W);
   } else {
-    state.L_W = angular_momentum_W(state.R_WB, inertia_B, state.omega_W);
+    state.L_W = with_rotor(state, angular_momentum_W(state.R_WB, inertia_B, state.omega_W));
   }
 }
 

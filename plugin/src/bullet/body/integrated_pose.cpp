@@ -55,16 +55,17 @@ void clamp_step(const Batch& batch, std::size_t lane, const Solved& solved, cons
     get_lane(lane, result.mean_W, turn_W);
     batch.scheme->turn(turn_W, dt, turned);
   } else if (batch.turn_velocity == TurnVelocity::mean) {
-    batch.scheme->step({inertia_B, change_W, dt}, turned);
+    batch.step(lane, {inertia_B, change_W, dt}, turned);
   } else {
     const bool by_start = batch.turn_velocity == TurnVelocity::start;
     batch.scheme->turn(by_start ? Vector3(turned.omega_W + change_W) : end.omega_W, dt, turned);
   }
+  turned.rotor_momentum_B = end.rotor_momentum_B;
   if (batch.turn_velocity == TurnVelocity::end || batch.held[lane]) {
     set_omega(turned, inertia_B, end.omega_W);
   } else {
     turned.L_W = end.L_W;
-    turned.omega_W = polhode::inverse_inertia_W(turned.R_WB, inertia_B) * end.L_W;
+    turned.omega_W = polhode::inverse_inertia_W(turned.R_WB, inertia_B) * without_rotor(turned, end.L_W);
   }
   if (!turns_by_solved) set_lane(lane, turned.omega_W, result.shown_W);
   set_lane(lane, turned, result.state);

@@ -54,9 +54,9 @@ HeldTurn free_turn(const Batch& batch, std::size_t lane, const StepContext& cont
     return turn;
   }
   const Vector3 mean_W = mean_angular_velocity_W(start, end, input.dt);
-  const auto found =
-      effective_inertia<double>(start.q_WB, start.L_W, input.inertia_B, mean_W, input.dt,
-                                context.solver_takes_effective_inertia ? kResolvedWithM : kResolvedWithoutM);
+  const ResolutionLimits& limits = context.solver_takes_effective_inertia ? kResolvedWithM : kResolvedWithoutM;
+  const auto found = effective_inertia<double>(start.q_WB, start.L_W, input.inertia_B, mean_W, input.dt,
+                                               limits.symmetric, limits.antisymmetric);
   turn.is_resolved = found.is_resolved;
   if (!turn.is_resolved) return turn;
   turn.velocity_W = mean_W;
@@ -66,6 +66,22 @@ HeldTurn free_turn(const Batch& batch, std::size_t lane, const StepContext& cont
     turn.is_effective = true;
   }
   return turn;
+}
+
+void add_drive(Batch& batch, std::size_t lane, const StepContext& context, HeldTurn& turn) {
+  DrivenLanes& driven = *batch.driven;
+  const RotationState start = batch.state(lane);
+  const StepInput input = {moments_B(batch.bodies[lane]->getInvInertiaDiagLocal()), Vector3::Zero(),
+                           static_cast<double>(context.dt)};
+  const DriveGain gain =
+      gain_at_start(*batch.scheme, input, driven.starts[lane], *driven.drives[lane], start);
+  turn.gain_W = gain.L_W;
+  turn.rotor_end_B = gain.rotor_end_B;
+  const Vector3 of_rotor_W = start.R_WB * (gain.rotor_end_B - start.rotor_momentum_B);
+  turn.driven_W = turn.inverse_W * (gain.L_W - of_rotor_W);
+  turn.velocity_W += turn.driven_W;
+  driven.last_torques[lane] = gain.last_torque;
+  driven.law_failed.set(lane, gain.law_failed);
 }
 
 // The body goes on turning about a locked axis as it does: there the solver changes nothing either.
@@ -102,6 +118,7 @@ void give_held(Batch& batch, std::size_t lane, const StepContext& context) {
   btRigidBody& body = *batch.bodies[lane];
   HeldTurn& turn = (*batch.held_turns)[lane];
   turn = free_turn(batch, lane, context);
+  if (batch.driven != nullptr) add_drive(batch, lane, context, turn);
   const btVector3 shown_W = vector_in_lane(batch.written_omega_W, lane);
   btVector3 given_W =
       to_bullet(with_locked_axes_kept(turn.inverse_W, body, to_double(shown_W), turn.velocity_W));
@@ -120,14 +137,20 @@ RotationState step_held(const Batch& batch, std::size_t lane, const StepContext&
   const HeldTurn& turn = (*batch.held_turns)[lane];
   const Vector3 given_W = to_double(vector_in_lane(batch.written_omega_W, lane));
   solved_W = with_locked_axes_kept(turn.inverse_W, body, given_W, solved_W);
-  const Vector3 change_W = solved_W - turn.velocity_W;
+  Vector3 change_W = solved_W - turn.velocity_W;
   const Vector3 inertia_B = moments_B(body.getInvInertiaDiagLocal());
   const double dt = context.dt;
   RotationState end = batch.state(lane);
+  const Vector3 rotor_change_W = end.R_WB * (turn.rotor_end_B - end.rotor_momentum_B);
+  end.rotor_momentum_B = turn.rotor_end_B;
   if (has_infinite_moment(body)) {
     set_orientation(end, (exponential(solved_W * dt) * end.q_WB).normalized());
     set_omega(end, inertia_B, solved_W);
   } else if (batch.turn_velocity != TurnVelocity::mean) {
+    if (batch.driven != nullptr) {
+      end.L_W += rotor_change_W;
+      change_W += turn.driven_W;
+    }
     batch.scheme->step({inertia_B, change_W, dt}, end);
   } else if (!turn.is_resolved) {
     batch.scheme->turn(solved_W, dt, end);
@@ -135,7 +158,8 @@ RotationState step_held(const Batch& batch, std::size_t lane, const StepContext&
   } else {
     const Vector3 impulse_W = dt * to_double(body.getTotalTorque());
     const Vector3 by_torque_W = turn.inverse_W.transpose() * impulse_W;  // as Bullet multiplies
-    const Vector3 L_W = end.L_W + turn.momentum_W * (change_W - by_torque_W) + impulse_W;
+    Vector3 L_W = end.L_W + turn.momentum_W * (change_W - by_torque_W) + impulse_W;
+    if (batch.driven != nullptr) L_W += turn.gain_W;
     batch.scheme->turn(solved_W, dt, end);
     set_angular_momentum(end, inertia_B, L_W);
   }

@@ -218,6 +218,12 @@ void MultibodyProxy::stop_turning() {
   multibody_.setBaseVel(solved_centre_velocity_);
 }
 
+void MultibodyProxy::write_angular_velocity() {
+  const btVector3 change_W = body_.getAngularVelocity() - multibody_.getBaseOmega();
+  multibody_.setBaseVel(multibody_.getBaseVel() - change_W.cross(centre_from_base_W()));
+  multibody_.setBaseOmega(body_.getAngularVelocity());
+}
+
 void MultibodyProxy::write(const Quaternion& q_WC) {
   take_out_non_finite();
   if (!are_finite(solved_centre_velocity_)) solved_centre_velocity_ = body_.getLinearVelocity();

@@ -50,6 +50,8 @@ class MultibodyProxy {
   void give_to_solver(bool is_constrained);
   /// After Bullet's integration: gives the switches back and reads the velocity with which Bullet turned.
   void read_solved(btScalar dt);
+  /// Writes the proxy's angular velocity, which somebody has changed between two steps; the centre of mass moves on.
+  void write_angular_velocity();
   /// Writes the end of the step. How the centre of mass moves stays Bullet's where it is finite.
   void write(const Quaternion& q_WC);
 

@@ -84,10 +84,10 @@ void BodyRegistry::follow(const List& list) noexcept {
 }
 
 void BodyRegistry::try_to_add(std::size_t index, const SchemeChoices& choices) noexcept {
-  const SchemePointer scheme = choices.scheme_of(*bodies_[index]);
+  const Treatment treatment = choices.treatment_of(*bodies_[index]);
   try {
-    if (scheme != nullptr) expect(scheme);
-    add(index, scheme);
+    if (treatment.scheme != nullptr) expect(treatment);
+    add(index, treatment);
   } catch (const std::bad_alloc&) {
     lacks_memory_ = true;
   }
@@ -104,24 +104,28 @@ void BodyRegistry::all_or_none(const Expect& expect_all) {
   }
 }
 
-bool BodyRegistry::has_other_scheme(std::size_t index, const SchemePointer& wanted) const {
-  const Batch* batch = lane_at(index).batch;
-  return is_replaced(index) || (batch == nullptr ? nullptr : batch->scheme.get()) != wanted.get();
+bool BodyRegistry::has_other_treatment(std::size_t index, const Treatment& wanted) const {
+  const Lane place = lane_at(index);
+  if (is_replaced(index)) return true;
+  if (place.batch == nullptr || wanted.scheme == nullptr)
+    return (place.batch != nullptr) != (wanted.scheme != nullptr);
+  return place.batch->scheme != wanted.scheme ||
+         (place.batch->driven != nullptr) != (wanted.drive != nullptr);
 }
 
 void BodyRegistry::expect_choices(const SchemeChoices& choices) {
   all_or_none([&] {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-      const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
-      if (wanted != nullptr && has_other_scheme(i, wanted)) expect(wanted);
+      const Treatment wanted = choices.treatment_of(*bodies_[i]);
+      if (wanted.scheme != nullptr && has_other_treatment(i, wanted)) expect(wanted);
     }
   });
 }
 
 void BodyRegistry::adopt_choices(const SchemeChoices& choices) noexcept {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    const SchemePointer wanted = choices.scheme_of(*bodies_[i]);
-    if (!has_other_scheme(i, wanted)) continue;
+    const Treatment wanted = choices.treatment_of(*bodies_[i]);
+    if (!has_other_treatment(i, wanted)) continue;
     remove(i);
     add(i, wanted);
   }
@@ -133,15 +137,34 @@ void BodyRegistry::apply_choices(const SchemeChoices& choices) {
   adopt_choices(choices);
 }
 
-void BodyRegistry::restart(btRigidBody& body, const SchemePointer& scheme) {
+void BodyRegistry::restart(btRigidBody& body, const Treatment& treatment) {
   const std::size_t index = index_of(body);
   if (index == bodies_.size()) return;
   all_or_none([&] {
-    if (scheme != nullptr) expect(scheme);
+    if (treatment.scheme != nullptr) expect(treatment);
   });
   remove(index);
-  add(index, scheme);
+  add(index, treatment);
   list_batches();
+}
+
+void BodyRegistry::drive(btRigidBody& body, const Treatment& treatment) {
+  const std::size_t index = index_of(body);
+  if (index == bodies_.size()) return;
+  const Lane before = lane_at(index);
+  if (before.batch == nullptr || is_replaced(index)) {
+    restart(body, treatment);
+  } else if (!has_other_treatment(index, treatment)) {
+    if (before.batch->driven != nullptr) before.batch->driven->drives[before.lane] = treatment.drive;
+  } else {
+    all_or_none([&] { expect(treatment); });
+    const Place place_before = places_[index];
+    add(index, treatment);
+    const Lane after = lane_at(index);
+    after.batch->move_from(*before.batch, before.lane, after.lane);
+    remove(place_before);
+    list_batches();
+  }
 }
 
 void BodyRegistry::clear() {
@@ -178,35 +201,35 @@ bool BodyRegistry::has_replaced_bodies_left_to_bullet() const {
 BodyRegistry::Lane BodyRegistry::find(const btRigidBody& body, const SchemeChoices& choices) {
   const std::size_t index = index_of(body);
   if (index == bodies_.size()) return {nullptr, 0};
-  if (is_replaced(index)) restart(*bodies_[index], choices.scheme_of(*bodies_[index]));
+  if (is_replaced(index)) restart(*bodies_[index], choices.treatment_of(*bodies_[index]));
   return lane_at(index);
 }
 
 // Makes room for one body more than is expected already.
-void BodyRegistry::expect(const SchemePointer& scheme) {
-  Family& family = families_[family_of(scheme)];
+void BodyRegistry::expect(const Treatment& treatment) {
+  Family& family = families_[family_of(treatment)];
   if (family.count + family.expected == family.batches.size() * kLanes) {
     reserve_one_more(batches_);
     reserve_one_more(family.batches);
-    family.batches.push_back(std::make_unique<Batch>(scheme));
+    family.batches.push_back(std::make_unique<Batch>(family.scheme, family.is_driven));
     batches_.push_back(family.batches.back().get());
   }
   ++family.expected;
 }
 
 // The body was expected. Null: Bullet rotates it.
-void BodyRegistry::add(std::size_t index, const SchemePointer& scheme) noexcept {
+void BodyRegistry::add(std::size_t index, const Treatment& treatment) noexcept {
   btRigidBody& body = *bodies_[index];
   Place& place = places_[index];
   place = {kNone, static_cast<std::uint32_t>(body_identity(body))};
-  if (scheme == nullptr) return;
-  place.family = family_of_scheme_.find(scheme.get())->second;
+  if (treatment.scheme == nullptr) return;
+  place.family = known_family(treatment);
   Family& family = families_[place.family];
   place.number = static_cast<std::uint32_t>(family.count);
   ++family.count;
   --family.expected;
   Batch& batch = family.batch_of(place.number);
-  batch.attach(place.number % kLanes, body);
+  batch.attach(place.number % kLanes, body, treatment.drive);
   batch.list_index[place.number % kLanes] = static_cast<std::uint32_t>(index);
 }
 
@@ -225,15 +248,24 @@ void BodyRegistry::remove(const Place& place) noexcept {
   --family.count;
 }
 
-std::uint32_t BodyRegistry::family_of(const SchemePointer& scheme) {
-  const auto known = family_of_scheme_.find(scheme.get());
-  if (known != family_of_scheme_.end()) return known->second;
+// kNone if there is none yet.
+std::uint32_t BodyRegistry::known_family(const Treatment& treatment) const {
+  const auto& families = family_of_scheme_[treatment.drive != nullptr ? 1 : 0];
+  const auto known = families.find(treatment.scheme.get());
+  return known == families.end() ? kNone : known->second;
+}
+
+std::uint32_t BodyRegistry::family_of(const Treatment& treatment) {
+  const std::uint32_t known = known_family(treatment);
+  if (known != kNone) return known;
   const auto unused = std::find_if(families_.begin(), families_.end(),
                                    [](const Family& family) { return family.scheme == nullptr; });
   const auto number = static_cast<std::uint32_t>(unused - families_.begin());
   if (unused == families_.end()) families_.emplace_back();
-  families_[number].scheme = scheme;
-  family_of_scheme_[scheme.get()] = number;
+  const bool is_driven = treatment.drive != nullptr;
+  families_[number].scheme = treatment.scheme;
+  families_[number].is_driven = is_driven;
+  family_of_scheme_[is_driven ? 1 : 0][treatment.scheme.get()] = number;
   return number;
 }
 
@@ -258,7 +290,7 @@ void BodyRegistry::list_batches() noexcept {
     family.batches.resize((family.count + kLanes - 1) / kLanes);
     for (const auto& batch : family.batches) batches_.push_back(batch.get());
     if (family.count > 0 || family.scheme == nullptr) continue;
-    family_of_scheme_.erase(family.scheme.get());
+    family_of_scheme_[family.is_driven ? 1 : 0].erase(family.scheme.get());
     family.scheme = nullptr;
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -43,8 +44,10 @@ class BodyRegistry {
   /// In place of adopt_choices.
   void expect_nothing() noexcept { list_batches(); }
   /// @}
-  /// Gives one body of the list this scheme, starting afresh in any case. Null: Bullet rotates it.
-  void restart(btRigidBody& body, const SchemePointer& scheme);
+  /// Gives one body of the list this treatment, starting afresh in any case.
+  void restart(btRigidBody& body, const Treatment& treatment);
+  /// The same with another drive or none, which the body goes on with from where it is.
+  void drive(btRigidBody& body, const Treatment& treatment);
   void clear();
 
   /// The bodies as last synchronized.
@@ -68,9 +71,11 @@ class BodyRegistry {
   bool has_replaced_bodies_left_to_bullet() const;
 
  private:
-  // The bodies of one scheme, numbered from 0 to count - 1, eight to a batch.
+  // The bodies of one scheme, those that have a drive or those that have none, numbered from 0 to count - 1,
+  // eight to a batch.
   struct Family {
     SchemePointer scheme;
+    bool is_driven = false;
     std::vector<std::unique_ptr<Batch>> batches;
     std::size_t count = 0;
     std::size_t expected = 0;  ///< bodies to come, for which there is room
@@ -92,14 +97,15 @@ class BodyRegistry {
   std::size_t reserve(std::size_t size) noexcept;
   void follow(const List& list) noexcept;
   void try_to_add(std::size_t index, const SchemeChoices& choices) noexcept;
-  void expect(const SchemePointer& scheme);
-  bool has_other_scheme(std::size_t index, const SchemePointer& wanted) const;
+  void expect(const Treatment& treatment);
+  bool has_other_treatment(std::size_t index, const Treatment& wanted) const;
   template <class Expect>
   void all_or_none(const Expect& expect_all);
-  void add(std::size_t index, const SchemePointer& scheme) noexcept;
+  void add(std::size_t index, const Treatment& treatment) noexcept;
   void remove(std::size_t index) noexcept { remove(std::exchange(places_[index], Place())); }
   void remove(const Place& place) noexcept;
-  std::uint32_t family_of(const SchemePointer& scheme);
+  std::uint32_t family_of(const Treatment& treatment);
+  std::uint32_t known_family(const Treatment& treatment) const;
   std::size_t index_of(const btRigidBody& body) const;
   void list_batches() noexcept;
 
@@ -109,7 +115,7 @@ class BodyRegistry {
   bool lacks_memory_ = false;
   std::uint64_t changes_ = 0;
   std::vector<Family> families_;
-  std::unordered_map<const RotationScheme*, std::uint32_t> family_of_scheme_;
+  std::array<std::unordered_map<const RotationScheme*, std::uint32_t>, 2> family_of_scheme_;  // [is_driven]
   std::vector<Batch*> batches_;
   // Index in bodies_ by btCollisionObject::getWorldArrayIndex, which changes without notice: a hint.
   mutable std::vector<std::uint32_t> hints_;

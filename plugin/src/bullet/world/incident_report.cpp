@@ -7,8 +7,8 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-constexpr IncidentKind kKindsInOrder[kIncidentKinds] = {IncidentKind::non_finite_body,
-                                                        IncidentKind::scheme_diverged};
+constexpr IncidentKind kKindsInOrder[kIncidentKinds] = {
+    IncidentKind::non_finite_body, IncidentKind::scheme_diverged, IncidentKind::torque_law_failed};
 
 void forget_contacts_of(const BodyGroup& group, std::size_t index, btDispatcher& dispatcher) {
   const btCollisionObject* const object = group.collision_object(index);

@@ -3,7 +3,9 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <LinearMath/btQuickprof.h>
 
+#include <cmath>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "bullet/internals/private_members.h"
@@ -46,6 +48,78 @@ SchemePointer require_scheme(SchemePointer scheme) {
   return scheme;
 }
 
+bool has_rotors(const Drive* drive) {
+  return drive != nullptr && !(drive->rotor_momentum_B.isZero(0.0) && drive->rotor_torque_B.isZero(0.0));
+}
+
+void require_takes_rotors(const RotationScheme& scheme) {
+  if (scheme.description().takes_rotors) return;
+  std::string valid;
+  for (const SchemePointer& built_in : built_in_schemes()) {
+    if (!built_in->description().takes_rotors) continue;
+    if (!valid.empty()) valid += ", ";
+    valid += built_in->description().name;
+  }
+  throw std::invalid_argument("the scheme '" + std::string(scheme.description().name) +
+                              "' takes no rotors inside a body: valid are " + valid);
+}
+
+// Returns the scheme that rotates the body.
+SchemePointer require_to_be_rotated(const WorldStepper& stepper, const btRigidBody& body) {
+  SchemePointer scheme = stepper.treatment_of(body).scheme;
+  if (body.isStaticObject() || scheme == nullptr) {
+    throw std::invalid_argument(
+        "torque laws and rotors are for bodies that a scheme rotates: this one is static, was released, or "
+        "the "
+        "world has no default scheme");
+  }
+  return scheme;
+}
+
+void require_finite(const Vector3& v, const std::string& name) {
+  if (!v.allFinite()) throw std::invalid_argument(name + " is not finite: valid are three finite numbers");
+}
+
+void set_scheme_of(WorldStepper& stepper, btRigidBody& body, SchemePointer scheme) {
+  scheme = require_scheme(std::move(scheme));
+  if (has_rotors(stepper.treatment_of(body).drive)) require_takes_rotors(*scheme);
+  stepper.choose(body, std::move(scheme));
+}
+
+void set_law_of(WorldStepper& stepper, btRigidBody& body, TorqueLaw law, TorqueLawOrder order) {
+  if (law == nullptr)
+    throw std::invalid_argument("the torque law is an empty function: give one, or use clear_torque_law");
+  require_to_be_rotated(stepper, body);
+  Drive& drive = stepper.make_drive(body);
+  drive.law = std::move(law);
+  drive.order = order;
+  drive.last_torque.reset();
+}
+
+void clear_law_of(WorldStepper& stepper, btRigidBody& body) {
+  Drive* const drive = stepper.treatment_of(body).drive;
+  if (drive == nullptr) return;
+  drive->law = nullptr;
+  drive->last_torque.reset();
+  stepper.drop_idle_drive(body);
+}
+
+void set_rotor_momentum_of(WorldStepper& stepper, btRigidBody& body, const Vector3& rotor_momentum_B,
+                           RotorChange change) {
+  require_finite(rotor_momentum_B, "the angular momentum of the rotors");
+  require_takes_rotors(*require_to_be_rotated(stepper, body));
+  stepper.make_drive(body);
+  stepper.set_rotor_momentum(body, rotor_momentum_B, change);
+  stepper.drop_idle_drive(body);
+}
+
+void set_rotor_torque_of(WorldStepper& stepper, btRigidBody& body, const Vector3& rotor_torque_B) {
+  require_finite(rotor_torque_B, "the torque of the motors");
+  require_takes_rotors(*require_to_be_rotated(stepper, body));
+  stepper.make_drive(body).rotor_torque_B = rotor_torque_B;
+  stepper.drop_idle_drive(body);
+}
+
 BodyRotation require_managed(const BodyRegistry::Lane& place) {
   if (place.batch == nullptr) {
     throw std::invalid_argument(
@@ -66,7 +140,11 @@ void RotationControl::set_default_scheme(std::string_view name) {
 }
 
 void RotationControl::set_default_scheme(SchemePointer scheme) {
-  stepper_->set_default_scheme(require_scheme(std::move(scheme)));
+  scheme = require_scheme(std::move(scheme));
+  stepper_->choices().for_each_drive_with_default_scheme([&scheme](const Drive& drive) {
+    if (has_rotors(&drive)) require_takes_rotors(*scheme);
+  });
+  stepper_->set_default_scheme(std::move(scheme));
 }
 
 void RotationControl::clear_default_scheme() {
@@ -83,7 +161,7 @@ void RotationControl::set_scheme(btCollisionObject& body, SchemePointer scheme) 
     throw std::invalid_argument(
         "a static body (mass 0) does not turn: a scheme can be set for dynamic bodies");
   }
-  stepper_->choose(rotated, require_scheme(std::move(scheme)));
+  set_scheme_of(*stepper_, rotated, std::move(scheme));
 }
 
 void RotationControl::set_scheme(btMultiBody& multibody, std::string_view name) {
@@ -91,7 +169,7 @@ void RotationControl::set_scheme(btMultiBody& multibody, std::string_view name) 
 }
 
 void RotationControl::set_scheme(btMultiBody& multibody, SchemePointer scheme) {
-  stepper_->choose(stepper_->proxy_of(require_one_body(multibody)), require_scheme(std::move(scheme)));
+  set_scheme_of(*stepper_, stepper_->proxy_of(require_one_body(multibody)), std::move(scheme));
 }
 
 void RotationControl::use_default_scheme(btCollisionObject& body) {
@@ -108,6 +186,59 @@ void RotationControl::release(btCollisionObject& body) {
 
 void RotationControl::release(btMultiBody& multibody) {
   stepper_->choose(stepper_->proxy_of(require_one_body(multibody)), nullptr);
+}
+
+void RotationControl::set_torque_law(btCollisionObject& body, TorqueLaw law, TorqueLawOrder order) {
+  set_law_of(*stepper_, require_body(*stepper_, body), std::move(law), order);
+}
+
+void RotationControl::set_torque_law(btMultiBody& multibody, TorqueLaw law, TorqueLawOrder order) {
+  set_law_of(*stepper_, stepper_->proxy_of(require_one_body(multibody)), std::move(law), order);
+}
+
+void RotationControl::clear_torque_law(btCollisionObject& body) {
+  clear_law_of(*stepper_, require_body(*stepper_, body));
+}
+
+void RotationControl::clear_torque_law(btMultiBody& multibody) {
+  clear_law_of(*stepper_, stepper_->proxy_of(require_one_body(multibody)));
+}
+
+void RotationControl::set_rotor_momentum(btCollisionObject& body, const Vector3& rotor_momentum_B,
+                                         RotorChange change) {
+  if (const auto* const collider = btMultiBodyLinkCollider::upcast(&body)) {
+    require_body(*stepper_, body);
+    set_rotor_momentum(*collider->m_multiBody, rotor_momentum_B, change);
+  } else {
+    set_rotor_momentum_of(*stepper_, require_body(*stepper_, body), rotor_momentum_B, change);
+  }
+}
+
+void RotationControl::set_rotor_momentum(btMultiBody& multibody, const Vector3& rotor_momentum_B,
+                                         RotorChange change) {
+  btRigidBody& proxy_body = stepper_->proxy_of(require_one_body(multibody));
+  MultibodyProxy& proxy = MultibodyProxy::of(proxy_body);
+  proxy.read();
+  set_rotor_momentum_of(*stepper_, proxy_body, rotor_momentum_B, change);
+  proxy.write_angular_velocity();
+}
+
+void RotationControl::set_rotor_torque(btCollisionObject& body, const Vector3& rotor_torque_B) {
+  set_rotor_torque_of(*stepper_, require_body(*stepper_, body), rotor_torque_B);
+}
+
+void RotationControl::set_rotor_torque(btMultiBody& multibody, const Vector3& rotor_torque_B) {
+  set_rotor_torque_of(*stepper_, stepper_->proxy_of(require_one_body(multibody)), rotor_torque_B);
+}
+
+double RotationControl::time() const {
+  return stepper_->time_s;
+}
+
+void RotationControl::set_time(double time_s) {
+  if (!std::isfinite(time_s))
+    throw std::invalid_argument("the time is not finite: valid is a finite number, in s");
+  stepper_->time_s = time_s;
 }
 
 bool RotationControl::manages(const btRigidBody& body) const {

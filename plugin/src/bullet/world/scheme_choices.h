@@ -2,36 +2,63 @@
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <memory>
 #include <unordered_map>
 #include <utility>
 
 #include "bullet/internals/private_members.h"
 #include "polhode/bullet/precision.h"
 #include "polhode/scheme_registry.h"
+#include "scheme_base/driven_step.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Which scheme the application wants for which body.
+/// How a body is rotated.
+struct Treatment {
+  SchemePointer scheme;    ///< null: by Bullet
+  Drive* drive = nullptr;  ///< null: nothing drives it
+};
+
+/// Which scheme the application wants for which body, and what drives the body.
 class SchemeChoices {
  public:
   /// The scheme of every body without a choice of its own; null: Bullet rotates them.
   SchemePointer default_scheme = polhode::default_scheme();
 
-  /// Makes room for a choice, and changes none: to be called before `choose`.
-  void expect(const btRigidBody& body) { choices_.try_emplace(&body, Choice{kNoBody, nullptr}); }
-  /// Null: Bullet rotates the body.
+  /// Makes room for a choice, and changes none: to be called before `choose` and `set_drive`.
+  void expect(const btRigidBody& body) { choices_.try_emplace(&body); }
+  /// Null: Bullet rotates the body, and what drove it is forgotten.
   void choose(const btRigidBody& body, SchemePointer scheme) noexcept {
-    choices_.find(&body)->second = {body_identity(body), std::move(scheme)};
-    changed_ = true;
+    Choice& choice = choice_of_this(body);
+    if (scheme == nullptr) choice.drive.reset();
+    choice.scheme = std::move(scheme);
+    choice.has_scheme = true;
   }
-  void choose_default(const btRigidBody& body) noexcept { choices_.erase(&body); }
-
-  /// The scheme of the body; null: Bullet rotates it.
-  SchemePointer scheme_of(const btRigidBody& body) const {
+  void choose_default(const btRigidBody& body) noexcept {
     const auto found = choices_.find(&body);
-    if (found == choices_.end() || found->second.identity != body_identity(body)) return default_scheme;
-    return found->second.scheme;
+    if (found == choices_.end()) return;
+    found->second.has_scheme = false;
+    if (found->second.drive == nullptr) choices_.erase(found);
+  }
+  /// Null: nothing drives the body. The drive before it is gone then.
+  void set_drive(const btRigidBody& body, std::unique_ptr<Drive> drive) noexcept {
+    choice_of_this(body).drive = std::move(drive);
+  }
+
+  Treatment treatment_of(const btRigidBody& body) const {
+    const Choice* const choice = find(body);
+    if (choice == nullptr) return {default_scheme, nullptr};
+    const SchemePointer& scheme = choice->has_scheme ? choice->scheme : default_scheme;
+    return {scheme, scheme == nullptr ? nullptr : choice->drive.get()};
+  }
+
+  /// Calls function(drive) for those of bodies that have the default scheme.
+  template <class Function>
+  void for_each_drive_with_default_scheme(const Function& function) const {
+    for (const auto& [body, choice] : choices_) {
+      if (!choice.has_scheme && choice.drive != nullptr) function(*choice.drive);
+    }
   }
 
   /// Drops the choices of bodies for which `is_present(address)` is false.
@@ -50,9 +77,27 @@ class SchemeChoices {
  private:
   static constexpr int kNoBody = -1;  // Bullet counts from 0
   struct Choice {
-    int identity;  ///< body_identity: another body may get the address
+    int identity = kNoBody;   ///< body_identity: another body may get the address
+    bool has_scheme = false;  ///< else the default one
     SchemePointer scheme;
+    std::unique_ptr<Drive> drive;
   };
+
+  const Choice* find(const btRigidBody& body) const {
+    const auto found = choices_.find(&body);
+    return found == choices_.end() || found->second.identity != body_identity(body) ? nullptr
+                                                                                    : &found->second;
+  }
+  // For which there is room. What another body at the address had is forgotten.
+  Choice& choice_of_this(const btRigidBody& body) noexcept {
+    Choice& choice = choices_.find(&body)->second;
+    if (choice.identity != body_identity(body)) {
+      choice = Choice();
+      choice.identity = body_identity(body);
+    }
+    changed_ = true;
+    return choice;
+  }
 
   std::unordered_map<const btRigidBody*, Choice> choices_;
   bool changed_ = false;

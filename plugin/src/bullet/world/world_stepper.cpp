@@ -145,8 +145,9 @@ void WorldStepper::choose_default(btRigidBody& body) {
 void WorldStepper::restart(btRigidBody& body, const SchemePointer& scheme) {
   if (!claim_.holds()) return;
   synchronize_all();
-  rigid_.registry.restart(body, scheme);
-  of_multibodies_.registry.restart(body, scheme);
+  const Treatment treatment = {scheme, scheme == nullptr ? nullptr : choices_.treatment_of(body).drive};
+  rigid_.registry.restart(body, treatment);
+  of_multibodies_.registry.restart(body, treatment);
 }
 
 BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
@@ -201,7 +202,7 @@ void WorldStepper::for_batches(btScalar dt, const BodyGroup& group, const Prefet
     BulletTurn* const own_bullet = bullet_of_this_thread();
     std::unique_lock<std::mutex> lock(spare_mutex_, std::defer_lock);
     if (own_bullet == nullptr) lock.lock();
-    const StepContext context = {dt, group.is_constrained, group.solver_takes_effective_inertia,
+    const StepContext context = {dt, group.is_constrained, group.solver_takes_effective_inertia, time_s,
                                  own_bullet != nullptr ? *own_bullet : spare_bullet_};
     for (std::size_t i = first; i < last; ++i) {
       if (i + 1 < last) prefetch_batch(*batches[i + 1]);
@@ -324,6 +325,7 @@ void WorldStepper::after_integration(btScalar dt) noexcept {
 }
 
 void WorldStepper::end_step(btScalar dt) {
+  time_s += static_cast<double>(dt);
   if (multibodies_.size() > 0)
     for_batches(dt, of_multibodies_, prefetch_multibodies, after_integration_of_multibodies);
   if (!has_incident_) return;

@@ -34,6 +34,15 @@ class WorldStepper {
   void set_default_scheme(SchemePointer scheme);
   void choose(btRigidBody& body, SchemePointer scheme);
   void choose_default(btRigidBody& body);
+  /// How the body is rotated, in the world or not.
+  Treatment treatment_of(const btRigidBody& body) const { return choices_.treatment_of(body); }
+  const SchemeChoices& choices() const { return choices_; }
+  /// What drives the body, made if nothing does.
+  Drive& make_drive(btRigidBody& body);
+  /// Forgets a drive that has nothing left to do.
+  void drop_idle_drive(btRigidBody& body);
+  /// For a body that has a drive. The motion changes in the library's numbers and in Bullet's.
+  void set_rotor_momentum(btRigidBody& body, const Vector3& rotor_momentum_B, RotorChange change);
   /// Batch null: the library does not rotate the body.
   BodyRegistry::Lane find(const btRigidBody& body);
   BodyRegistry::Lane find(const btMultiBody& multibody);
@@ -42,6 +51,7 @@ class WorldStepper {
   std::size_t managed_bodies();
   /// @throws std::logic_error if the world is gone.
   btDiscreteDynamicsWorld& world() const;
+  double time_s = 0.0;  ///< of torque laws
   /// @}
 
   /// @name The stages of a step, in order
@@ -73,6 +83,7 @@ class WorldStepper {
   /// @throws std::bad_alloc
   void synchronize_all();
   void restart(btRigidBody& body, const SchemePointer& scheme);
+  void change_drive(btRigidBody& body, Drive* drive);
   /// Null if there is no memory for one.
   BulletTurn* bullet_of_this_thread() noexcept;
   /// function(batch, context) for each batch, on all threads; prefetch_batch(batch) for the next one.

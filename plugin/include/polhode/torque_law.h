@@ -1,0 +1,82 @@
+#pragma once
+
+#include <functional>
+
+#include "polhode/rotation_state.h"
+
+namespace polhode {
+
+/// The motion of a body at the moment for which a torque law is asked.
+struct TorqueLawInput {
+  double time_s;
+  Quaternion q_WB;           ///< orientation
+  Vector3 omega_W;           ///< angular velocity, rad/s
+  Vector3 position_W;        ///< of the centre of mass, m
+  Vector3 velocity_W;        ///< of the centre of mass, m/s
+  Vector3 inertia_B;         ///< principal moments, kg m^2
+  Vector3 rotor_momentum_B;  ///< RotationState::rotor_momentum_B, kg m^2/s
+
+  Vector3 omega_B() const { return q_WB.conjugate() * omega_W; }
+};
+
+/// @name What a law may return
+/// N m.
+/// @{
+/// A torque in the axes of the world.
+struct WorldTorque {
+  Vector3 torque_W;
+};
+/// A torque in the axes of the body.
+struct BodyTorque {
+  Vector3 torque_B;
+};
+/// The torque of motors inside the body on its rotors, in the axes of the body. The body is turned the other way:
+/// the angular momentum of both together stays as it is.
+struct RotorTorque {
+  Vector3 torque_B;
+};
+/// @}
+
+/// All that acts on a body at one moment. Each of the kinds above is one.
+struct Torque {
+  Torque() = default;
+  Torque(const WorldTorque& torque) : world_W(torque.torque_W) {}  // NOLINT(google-explicit-constructor)
+  Torque(const BodyTorque& torque) : body_B(torque.torque_B) {}    // NOLINT(google-explicit-constructor)
+  Torque(const RotorTorque& torque) : rotor_B(torque.torque_B) {}  // NOLINT(google-explicit-constructor)
+
+  Vector3 world_W = Vector3::Zero();
+  Vector3 body_B = Vector3::Zero();
+  Vector3 rotor_B = Vector3::Zero();  ///< on the rotors
+
+  bool all_finite() const { return world_W.allFinite() && body_B.allFinite() && rotor_B.allFinite(); }
+};
+
+inline bool operator==(const Torque& a, const Torque& b) {
+  return a.world_W == b.world_W && a.body_B == b.body_B && a.rotor_B == b.rotor_B;
+}
+
+inline Torque operator+(const Torque& a, const Torque& b) {
+  Torque sum;
+  sum.world_W = a.world_W + b.world_W;
+  sum.body_B = a.body_B + b.body_B;
+  sum.rotor_B = a.rotor_B + b.rotor_B;
+  return sum;
+}
+
+/// A torque as a function of the motion. A pure function: a step may ask it more than once, for moments within the
+/// step, on any thread. Laws are added by a law that adds their torques:
+///
+///   TorqueLaw both = [a, b](const TorqueLawInput& motion) { return a(motion) + b(motion); };
+using TorqueLaw = std::function<Torque(const TorqueLawInput&)>;
+
+/// How fast the error of a step with a law falls with dt, where the scheme's own order allows it. Schemes of order 1
+/// take the torque at the start of the step, as any torque, with either choice.
+enum class TorqueLawOrder {
+  /// The law is asked once a step, for its middle (twice in the first step). For a law that damps, dt times its
+  /// rate must stay below 1.
+  two = 2,
+  /// Six times a step, two to four times as often if the torque depends on the velocity.
+  four = 4,
+};
+
+}  // namespace polhode
