@@ -65,7 +65,7 @@ void run(Bytes& bytes) {
     }
     if (operation.kind != Kind::step) {
       const bool touches_body_alone = operation.kind <= Kind::mass;
-      const bool is_possible = (operation.kind <= Kind::erase || is_of_multibody(operation.kind)) &&
+      const bool is_possible = (operation.kind <= Kind::erase || operation.kind > Kind::step) &&
                                place != Place::contact && place != Place::motion_state;
       if (next_is_within_step && (touches_body_alone || is_possible) && script.size() < kMostWithinStep) {
         operation.place = place;

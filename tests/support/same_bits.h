@@ -27,7 +27,8 @@ bool same_bits(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
 
 inline bool same_bits(const RotationState& a, const RotationState& b) {
   return same_bits(a.q_WB.coeffs(), b.q_WB.coeffs()) && same_bits(a.R_WB.reshaped(), b.R_WB.reshaped()) &&
-         same_bits(a.omega_W, b.omega_W) && same_bits(a.L_W, b.L_W);
+         same_bits(a.omega_W, b.omega_W) && same_bits(a.L_W, b.L_W) &&
+         same_bits(a.rotor_momentum_B, b.rotor_momentum_B);
 }
 
 }  // namespace polhode::testing

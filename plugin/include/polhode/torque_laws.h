@@ -8,7 +8,7 @@
 namespace polhode {
 
 /// The torque of a planet's gravity on a body in its orbit, 3 mu / r^5 r x I_W r, r from the planet's centre to the body
-/// (P. C. Hughes, Spacecraft Attitude Dynamics (1986), section 8.1). It does not move the body: that is gravity's part.
+/// (P. C. Hughes, Spacecraft Attitude Dynamics (1986), chapter 8). It does not move the body: that is gravity's part.
 /// mu: gravitational parameter, m^3/s^2, > 0; 3.986e14 for the Earth. centre_W: m.
 TorqueLaw gravity_gradient(double mu, const Vector3& centre_W = Vector3::Zero());
 
@@ -28,7 +28,7 @@ TorqueLaw rate_damping(double coefficient);
 
 /// Loses energy inside the body, whose angular momentum stays: a damper about each axis, a rotor of this moment that
 /// the body drags along, coefficient (omega - h / moment). In the end both turn as one, about the axis of largest
-/// moment (W. T. Thomson, Introduction to Space Dynamics (1961), section 7.4). The scheme must take rotors.
+/// moment (W. T. Thomson, Introduction to Space Dynamics (1961)). The scheme must take rotors.
 /// moment: kg m^2, > 0, which inertia_B leaves out; coefficient: N m s, >= 0.
 TorqueLaw internal_damping(double moment, double coefficient);
 

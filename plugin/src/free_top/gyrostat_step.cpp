@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kTerms = 30;
 // Of a unit quaternion, below rounding: two terms in a row under it end a series.
 constexpr double kSmallestTerm = 1e-17;
+// By this factor a part of a step is shortened until it is short enough; what gets this short is not a number.
+constexpr double kShorter = 0.9;
+constexpr double kShortestPart = 1e-12;
 // Far from an equilibrium the energy tells the momentum to rounding. Next to one it does not, and nothing is gained by
 // holding it: relative to omega^2.
 constexpr double kFlat = 1e-16;
@@ -31,13 +34,22 @@ class TurnSeries {
 
   bool converged() const { return converged_; }
 
-  // The part of dt at whose end the terms left out are below rounding.
+  // The part of dt at whose end the terms left out are below rounding; 0 if there is none. By products alone: the math
+  // library's powers differ from one machine to the next.
   double reach() const {
-    double shortest = 1.0;
+    double part = 1.0;
     for (std::size_t k = size_ - 2; k < size_; ++k) {
-      shortest = std::fmin(shortest, std::pow(kSmallestTerm / rho_[k].norm(), 1.0 / static_cast<double>(k)));
+      double term = rho_[k].norm();
+      double shorter = 1.0;
+      for (std::size_t i = 0; i < k; ++i) shorter *= kShorter;
+      double reached = 1.0;
+      while (!(term < kSmallestTerm) && reached > kShortestPart) {
+        term *= shorter;
+        reached *= kShorter;
+      }
+      part = std::fmin(part, reached > kShortestPart ? reached : 0.0);
     }
-    return shortest;
+    return part;
   }
 
   Quaternion turn_at(double s) const {

@@ -14,7 +14,7 @@
 ///   order two             D(dt/2) K(dt) D(dt/2), the law asked once, for the velocity in the middle of K, which is
 ///                         foretold with the torque of the step before (G. Strang, SIAM J. Numer. Anal. 5 (1968) 506)
 ///   order four            D(a_1 dt) K(b_1 dt) D(a_2 dt) ... K(b_6 dt) D(a_7 dt), each K by the classical
-///                         Runge-Kutta method (S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S6)
+///                         Runge-Kutta method (S. Blanes, P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313: S6)
 ///
 /// A motor of constant torque changes h by one half before the step and by the other after it: of order 2.
 namespace polhode {

@@ -47,16 +47,18 @@ btVector3 read_vector(Bytes& bytes, const Limits& limits) {
   return {x, y, read_scalar(bytes, limits)};
 }
 
-// Half of all operations are steps, and in worlds with multibodies an eighth are for these.
+// Half of all operations are steps, a sixteenth drive bodies, and in worlds with multibodies an eighth are for these.
 Kind read_kind(Bytes& bytes, const Limits& limits) {
   constexpr std::uint8_t kFirstStep = 128;
   constexpr std::uint8_t kFirstOfMultibody = 96;
+  constexpr std::uint8_t kFirstDrive = 80;
   constexpr std::uint8_t kKinds = static_cast<std::uint8_t>(Kind::step) + 1;
-  constexpr std::uint8_t kKindsOfMultibody = static_cast<std::uint8_t>(Kind::count) - kKinds;
+  constexpr std::uint8_t kKindsOfMultibody = static_cast<std::uint8_t>(Kind::drive) - kKinds;
   const std::uint8_t number = bytes.byte();
   if (number >= kFirstStep) return Kind::step;
   if (number >= kFirstOfMultibody && has_multibodies(limits.world_kind))
     return static_cast<Kind>(kKinds + number % kKindsOfMultibody);
+  if (number >= kFirstDrive && number < kFirstOfMultibody) return Kind::drive;
   return static_cast<Kind>(number % kKinds);
 }
 
@@ -143,7 +145,8 @@ std::string text(const Operation& operation) {
                                       "push_multibody",
                                       "set_multibody",
                                       "choose_for_multibody",
-                                      "pin_multibody"};
+                                      "pin_multibody",
+                                      "drive"};
   static_assert(sizeof(names) / sizeof(names[0]) == static_cast<std::size_t>(Kind::count));
   std::ostringstream out;
   out.precision(std::numeric_limits<btScalar>::max_digits10);

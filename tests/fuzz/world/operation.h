@@ -60,6 +60,8 @@ enum class Kind : std::uint8_t {
   set_multibody,
   choose_for_multibody,
   pin_multibody,
+  // In tick callbacks, in actions and between steps:
+  drive,  ///< a torque law, rotors, motors
   count
 };
 
@@ -90,7 +92,7 @@ constexpr bool has_soft_bodies(WorldKind kind) {
   return kind == WorldKind::soft_rigid || kind == WorldKind::soft_multi_body;
 }
 constexpr bool is_of_multibody(Kind kind) {
-  return kind > Kind::step;
+  return kind > Kind::step && kind < Kind::drive;
 }
 
 /// What the operations of an input may do. The fewer, the more can be checked.

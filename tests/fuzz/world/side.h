@@ -61,6 +61,8 @@ class Side {
   void join(const Operation& operation);
   void unjoin(Joint& joint);
   void choose(const Operation& operation, std::size_t index);
+  void choose_default_scheme(const Operation& operation, std::size_t index);
+  void drive(const Operation& operation);
   bool is_expected_to_be_managed(std::size_t world, std::size_t slot) const;
   void forget_choices_of_absent(std::size_t world);
   void check_body(std::size_t world, std::size_t index);
@@ -94,6 +96,7 @@ class Side {
   std::array<std::array<Choice, kSlots>, 2> choices_{};
   std::array<std::array<Choice, kMultibodies>, 2> multibody_choices_{};
   std::array<bool, 2> has_default_{};
+  bool may_have_rotors_ = false;            ///< some body: schemes that take none are then refused for it
   std::unique_ptr<RotationPlugin> orphan_;  // a plugin whose world is gone
   std::vector<Operation> script_;
   std::size_t stepped_ = 0;

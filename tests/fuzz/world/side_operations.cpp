@@ -46,8 +46,10 @@ void Side::apply(const Operation& operation) {
       if (slot.body() != nullptr) choose(operation, index);
       return;
     case Kind::default_scheme:
-      if (world.rotation != nullptr) world.rotation->set_default_scheme(scheme(operation.variant));
-      has_default_[index] = true;
+      choose_default_scheme(operation, index);
+      return;
+    case Kind::drive:
+      if (slot.body() != nullptr && world.rotation != nullptr) drive(operation);
       return;
     case Kind::clear_default_scheme:
       if (world.rotation != nullptr) world.rotation->clear_default_scheme();
@@ -155,7 +157,7 @@ void Side::choose(const Operation& operation, std::size_t index) {
     try {
       if (world.rotation != nullptr) world.rotation->set_scheme(body, scheme(operation.variant));
     } catch (const std::invalid_argument&) {
-      if (!body.isStaticObject()) throw;
+      if (!body.isStaticObject() && !may_have_rotors_) throw;
       return;
     }
     choice = Choice::scheme;
@@ -165,6 +167,16 @@ void Side::choose(const Operation& operation, std::size_t index) {
   } else {
     if (world.rotation != nullptr) world.rotation->use_default_scheme(body);
     choice = Choice::unset;
+  }
+}
+
+void Side::choose_default_scheme(const Operation& operation, std::size_t index) {
+  try {
+    RotationControl* const rotation = worlds_[index]->rotation;
+    if (rotation != nullptr) rotation->set_default_scheme(scheme(operation.variant));
+    has_default_[index] = true;
+  } catch (const std::invalid_argument&) {
+    if (!may_have_rotors_) throw;
   }
 }
 

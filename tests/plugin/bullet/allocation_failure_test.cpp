@@ -143,6 +143,17 @@ TYPED_TEST(AllocationFailure, LeavesABodyThatWasToBeReleased) {
   });
 }
 
+TYPED_TEST(AllocationFailure, LeavesABodyThatWasToBeDriven) {
+  const TorqueLaw law = [](const TorqueLawInput&) { return Torque(); };
+  const std::size_t refused = expect_all_or_nothing<TypeParam>([&law](TypeParam& scene) {
+    btRigidBody& body = *scene.bodies()[5];
+    scene.rotation().set_rotor_momentum(body, {0.0, 0.0, 0.5}, RotorChange::by_motor);
+    EXPECT_TRUE(scene.rotation().rotation_of(body).state.has_rotor());
+    scene.rotation().set_torque_law(body, law);
+  });
+  EXPECT_GE(refused, 8u);
+}
+
 TYPED_TEST(AllocationFailure, LeavesTheIncidentHandler) {
   const std::array<char, 100> large{};  // for the small buffer of a std::function
   expect_all_or_nothing<TypeParam>([&](TypeParam& scene) {

@@ -19,6 +19,13 @@ TEST(Step, AllocatesNothingAfterWarmUp) {
     subclassed.world().rotation().set_scheme(in_world, scheme);
     plugin.rotation().set_scheme(with_plugin, scheme);
   }
+  const auto drive = [](RotationControl& rotation, btRigidBody& body) {
+    rotation.set_torque_law(body, [](const TorqueLawInput& motion) { return WorldTorque{-motion.omega_W}; });
+    rotation.set_rotor_momentum(body, {0.0, 0.5, 1.0}, RotorChange::by_motor);
+    rotation.set_rotor_torque(body, {0.0, 0.0, 0.1});
+  };
+  drive(subclassed.world().rotation(), subclassed.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4)));
+  drive(plugin.rotation(), attached.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4)));
   const auto step = [&](int count) {
     subclassed.step(btScalar(1.0 / 60.0), count);
     attached.step(btScalar(1.0 / 60.0), count);

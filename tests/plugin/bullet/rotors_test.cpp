@@ -144,6 +144,23 @@ TYPED_TEST(RotorsOfBodies, GoOnThroughChangesFromOutside) {
   agrees();
 }
 
+// The momentum after a kick is that of the new velocity and of the rotor.
+TYPED_TEST(RotorsOfBodies, HaveTheirPartOfTheMomentumAfterAKick) {
+  for (const SchemePointer& scheme : built_in_schemes()) {
+    if (!scheme->description().takes_rotors) continue;
+    this->rotation().set_scheme(this->body_, scheme);
+    this->rotation().set_rotor_momentum(this->body_, kRotor_B, RotorChange::from_outside);
+    this->scene_.step(kDt);
+    RotationState kicked = this->state(this->body_);
+    kicked.omega_W = Vector3(1.0, 1.0, 0.5);
+    const Vector3 expected_L_W = sum_W(kicked, this->inertia_B_);
+    this->body_.setAngularVelocity(vector(1, 1, 0.5));
+    this->scene_.step(btScalar(1e-4));
+    EXPECT_LE((this->state(this->body_).L_W - expected_L_W).norm(), 3e-3) << scheme->description().name;
+    EXPECT_LE((this->state(this->body_).omega_W - kicked.omega_W).norm(), 3e-3) << scheme->description().name;
+  }
+}
+
 // Damping takes the velocity of the body, and in the end it would turn with the rotor's momentum alone.
 TYPED_TEST(RotorsOfBodies, AreNotDamped) {
   this->rotation().set_rotor_momentum(this->body_, kRotor_B, RotorChange::by_motor);
@@ -234,6 +251,19 @@ TYPED_TEST(RotorsOfBodies, OfALockedBodyAreTurnedToo) {
     EXPECT_NEAR(testing::omega_of(this->body_).z(), -0.1, 1e-4) << scheme->description().name;
     EXPECT_NEAR(this->state(this->body_).rotor_momentum_B.z() - before, 0.4, 1e-6);
   }
+}
+
+TYPED_TEST(RotorsOfBodies, DoNotTurnABodyAboutAnAxisThatItDoesNotTurnAbout) {
+  btRigidBody& body = this->scene_.add_free(vector(0, 0, 4), vector(0, 0, 1));
+  this->rotation().set_rotor_momentum(body, {1.0, 2.0, 2.0}, RotorChange::by_motor);
+  EXPECT_TRUE(same(body.getAngularVelocity(), vector(0, 0, 0.5)));
+  btRigidBody& rigid = this->scene_.add_free(vector(0, 0, 0), vector(0, 0, 0));
+  this->rotation().set_rotor_momentum(rigid, {1.0, 2.0, 2.0}, RotorChange::by_motor);
+  this->rotation().set_rotor_torque(rigid, {1.0, 2.0, 2.0});
+  this->scene_.step(kDt, 20);
+  EXPECT_NEAR(testing::omega_of(body).z(), 0.5, 1e-6);
+  EXPECT_EQ(testing::omega_of(rigid), Vector3::Zero());
+  EXPECT_EQ(this->rotation().incidents(), 0U);
 }
 
 TYPED_TEST(RotorsOfBodies, AreRefusedForSchemesThatTakeNone) {

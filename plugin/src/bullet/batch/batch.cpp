@@ -198,25 +198,25 @@ WideStepInput Batch::free_input(btScalar dt) const {
 
 void Batch::step(const LaneBits& lanes, const WideStepInput& input, WideState& result,
                  Wide* memory_or_null) const {
-  const LaneBits one_by_one = wide_scheme == nullptr ? lanes
-                              : driven == nullptr    ? LaneBits()
-                                                     : driven->acting(lanes);
-  WideState of_others;
-  if (one_by_one.any()) {
-    of_others = result;
-    change_lanes(one_by_one, of_others, [&](std::size_t lane, RotationState& of_lane) {
-      StepInput input_of_lane;
-      get_lane(lane, input, input_of_lane);
-      step(lane, input_of_lane, of_lane);
-    });
-  }
-  if (one_by_one == lanes) {
-    result = of_others;
+  LaneBits one_by_one;
+  if (driven != nullptr) one_by_one = driven->acting(lanes);
+  if (wide_scheme == nullptr) one_by_one = lanes;
+  if (one_by_one.none()) {
+    wide_scheme->step_wide(input, wide_mask(lanes), result, memory_or_null);
     return;
   }
-  const WideMask mask = wide_mask(lanes & ~one_by_one);
-  wide_scheme->step_wide(input, mask, result, memory_or_null);
-  if (one_by_one.any()) result = select(mask, result, of_others);
+  WideState stepped = result;
+  change_lanes(one_by_one, stepped, [&](std::size_t lane, RotationState& of_lane) {
+    StepInput input_of_lane;
+    get_lane(lane, input, input_of_lane);
+    step(lane, input_of_lane, of_lane);
+  });
+  if (one_by_one != lanes) {
+    const WideMask mask = wide_mask(lanes & ~one_by_one);
+    wide_scheme->step_wide(input, mask, result, memory_or_null);
+    stepped = select(mask, result, stepped);
+  }
+  result = stepped;
 }
 
 void Batch::step(std::size_t lane, const StepInput& input, RotationState& state) const {

@@ -9,14 +9,20 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// By a motor inside the body L_W stays, else omega_W.
-void change_rotor(const Vector3& inertia_B, const Vector3& rotor_momentum_B, RotorChange change,
+// By a motor inside the body L_W stays, else omega_W. A body that does not turn about some axis takes no momentum there.
+void change_rotor(const btVector3& inverse_inertia_B, const Vector3& rotor_momentum_B, RotorChange change,
                   RotationState& state) {
-  if (change == RotorChange::by_motor) {
-    change_rotor_by_motor(inertia_B, rotor_momentum_B, state);
-  } else {
-    state.L_W += state.R_WB * (rotor_momentum_B - state.rotor_momentum_B);
+  const Vector3 inverse_B = to_double(inverse_inertia_B);
+  const Vector3 change_B = rotor_momentum_B - state.rotor_momentum_B;
+  if (change == RotorChange::from_outside) {
+    state.L_W += state.R_WB * change_B;
     state.rotor_momentum_B = rotor_momentum_B;
+  } else if ((inverse_B.array() != 0.0).all()) {
+    change_rotor_by_motor(moments_B(inverse_inertia_B), rotor_momentum_B, state);
+  } else {
+    state.rotor_momentum_B = rotor_momentum_B;
+    set_omega(state, moments_B(inverse_inertia_B),
+              state.omega_W - state.R_WB * inverse_B.cwiseProduct(change_B));
   }
 }
 
@@ -64,7 +70,7 @@ void WorldStepper::set_rotor_momentum(btRigidBody& body, const Vector3& rotor_mo
   const bool has_state = place.batch != nullptr && !place.batch->diverged[place.lane];
   if (has_state) adopt_external_changes(*place.batch, place.lane);
   RotationState state = has_state ? place.batch->state(place.lane) : state_of(body, drive);
-  change_rotor(moments_B(body.getInvInertiaDiagLocal()), rotor_momentum_B, change, state);
+  change_rotor(body.getInvInertiaDiagLocal(), rotor_momentum_B, change, state);
   drive.rotor_momentum_B = rotor_momentum_B;
   if (has_state) place.batch->set_state(place.lane, state);
   if (change == RotorChange::from_outside) return;
