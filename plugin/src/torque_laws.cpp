@@ -43,10 +43,11 @@ TorqueLaw gravity_gradient(double mu, const Vector3& centre_W) {
 
 TorqueLaw magnetic_dipole(const Vector3& dipole_B, const Vector3& field_W) {
   require_finite(field_W, "the magnetic field");
-  return magnetic_dipole(dipole_B, [field_W](const TorqueLawInput&) { return field_W; });
+  return magnetic_dipole_in_field(dipole_B, [field_W](const TorqueLawInput&) { return field_W; });
 }
 
-TorqueLaw magnetic_dipole(const Vector3& dipole_B, std::function<Vector3(const TorqueLawInput&)> field_W) {
+TorqueLaw magnetic_dipole_in_field(const Vector3& dipole_B,
+                                   std::function<Vector3(const TorqueLawInput&)> field_W) {
   require_finite(dipole_B, "the magnetic dipole");
   if (field_W == nullptr) throw std::invalid_argument("the magnetic field is an empty function");
   return [dipole_B, field_W = std::move(field_W)](const TorqueLawInput& motion) {

@@ -15,7 +15,8 @@ TorqueLaw gravity_gradient(double mu, const Vector3& centre_W = Vector3::Zero())
 /// The torque of a magnetic field on a dipole that is fixed in the body, m x b.
 /// dipole_B: A m^2. field_W: T, constant or where and when the body is.
 TorqueLaw magnetic_dipole(const Vector3& dipole_B, const Vector3& field_W);
-TorqueLaw magnetic_dipole(const Vector3& dipole_B, std::function<Vector3(const TorqueLawInput&)> field_W);
+TorqueLaw magnetic_dipole_in_field(const Vector3& dipole_B,
+                                   std::function<Vector3(const TorqueLawInput&)> field_W);
 
 /// A spring that turns the body towards an orientation by the shortest way, -stiffness times the rotation vector from
 /// there, with the potential energy (1/2) stiffness angle^2. stiffness: N m/rad, >= 0.

@@ -140,7 +140,8 @@ void turn_gyrostat(const StepInput& input, const Vector3& L_W, RotationState& st
 
 namespace {
 
-// In the place of FreeTopStep::dt, where it is no step's.
+// In the place of FreeTopStep::dt: no step is as long.
+constexpr double kNoStep = -std::numeric_limits<double>::max();
 constexpr std::size_t kPlaceOfDt = 4;
 constexpr std::array<std::size_t, 7> kPlaces = {1, 2, 3, 5, 6, 7, 8};
 static_assert(offsetof(FreeTopStep<double>, dt) == kPlaceOfDt * sizeof(double));
@@ -156,13 +157,13 @@ void for_each_number(Self& kept, const Function& function) {
 
 KeptEnergy get_kept_energy(std::size_t lane, const WideMemoryRow* memory) {
   KeptEnergy kept{Vector3::Constant(std::numeric_limits<double>::quiet_NaN()), Vector3::Zero(), 0.0};
-  if (!std::isnan(memory[kPlaceOfDt][lane])) return kept;
+  if (memory[kPlaceOfDt][lane] != kNoStep) return kept;
   for_each_number(kept, [&](double& number, std::size_t row) { number = memory[row][lane]; });
   return kept;
 }
 
 void set_kept_energy(std::size_t lane, const KeptEnergy& kept, WideMemoryRow* memory) {
-  memory[kPlaceOfDt].set(lane, std::numeric_limits<double>::quiet_NaN());
+  memory[kPlaceOfDt].set(lane, kNoStep);
   for_each_number(kept, [&](const double& number, std::size_t row) { memory[row].set(lane, number); });
 }
 

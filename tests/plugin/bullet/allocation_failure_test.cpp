@@ -154,6 +154,17 @@ TYPED_TEST(AllocationFailure, LeavesABodyThatWasToBeDriven) {
   EXPECT_GE(refused, 8u);
 }
 
+TYPED_TEST(AllocationFailure, LeavesABodyThatWasToBeRestored) {
+  TypeParam other;
+  add_free_bodies(other, 1);
+  other.rotation().set_scheme(*other.bodies()[0], "rk4");
+  other.step(kDt, 3);
+  const Snapshot snapshot = other.rotation().save(*other.bodies()[0]);
+  const std::size_t refused = expect_all_or_nothing<TypeParam>(
+      [&snapshot](TypeParam& scene) { scene.rotation().restore(*scene.bodies()[5], snapshot); });
+  EXPECT_GT(refused, 0u);
+}
+
 TYPED_TEST(AllocationFailure, LeavesTheIncidentHandler) {
   const std::array<char, 100> large{};  // for the small buffer of a std::function
   expect_all_or_nothing<TypeParam>([&](TypeParam& scene) {

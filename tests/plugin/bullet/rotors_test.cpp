@@ -181,7 +181,8 @@ TYPED_TEST(RotorsOfBodies, PrecessOnAPointJoint) {
         this->scene_.add(1, vector(0.1, 0.1, 0.15),
                          btTransform(btQuaternion(vector(0, 1, 0), btScalar(M_PI / 2)), vector(length, 0, 0)),
                          this->scene_.box(vector(0.1, 0.1, 0.1)));
-    body.getWorldTransform().setOrigin(vector(length, 5.0 * this->scene_.bodies().size(), 0));
+    body.getWorldTransform().setOrigin(
+        vector(length, 5.0 * static_cast<double>(this->scene_.bodies().size()), 0));
     body.setInterpolationWorldTransform(body.getWorldTransform());
     this->scene_.template join<btPoint2PointConstraint>(body, vector(0, 0, -length));
     this->rotation().set_scheme(body, scheme);

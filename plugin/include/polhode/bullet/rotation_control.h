@@ -11,6 +11,7 @@
 
 #include "polhode/bullet/incident.h"
 #include "polhode/bullet/precision.h"
+#include "polhode/bullet/snapshot.h"
 #include "polhode/scheme_registry.h"
 #include "polhode/torque_law.h"
 
@@ -45,9 +46,9 @@ class RotationWorld;
 /// Chooses which bodies of a world are rotated by which scheme, and reports their state. A RotationWorld and
 /// a RotationPlugin each have one, `rotation()`.
 ///
-/// A btMultiBody whose links, if it has any, are all fixed is a body too; one with links that move is Bullet's.
-/// A multibody has no identity in Bullet: one that comes, between two steps, to the address of one that went has
-/// its choice.
+/// A btMultiBody whose links, if it has any, are all fixed is a body too; one with links that move is
+/// Bullet's. A multibody has no identity in Bullet: one that comes, between two steps, to the address of one
+/// that went has its choice.
 ///
 /// Every dynamic body has the world's default scheme unless it was told otherwise. A body's choice lasts
 /// until it is absent from the world during a step; it survives being removed and added again between two
@@ -56,10 +57,10 @@ class RotationWorld;
 /// their step: the next step takes it as a change by the application. Not thread-safe: call it from where you
 /// call stepSimulation.
 ///
-/// Out of memory: a function that throws std::bad_alloc has changed nothing. A step throws nothing and goes on.
-/// Bodies that are new to it stay Bullet's until a later step finds the memory, and then start from their
-/// present motion. A body in its first joint or contact may lack its gyroscopic term in that step. A scheme of
-/// the application's must neither throw nor allocate in a step.
+/// Out of memory: a function that throws std::bad_alloc has changed nothing. A step throws nothing and goes
+/// on. Bodies that are new to it stay Bullet's until a later step finds the memory, and then start from their
+/// present motion. A body in its first joint or contact may lack its gyroscopic term in that step. A scheme
+/// of the application's must neither throw nor allocate in a step.
 class RotationControl {
  public:
   ~RotationControl();
@@ -130,6 +131,40 @@ class RotationControl {
   BodyRotation rotation_of(const btRigidBody& body) const;
   BodyRotation rotation_of(const btMultiBody& multibody) const;
   std::size_t managed_bodies() const;
+
+  /// Sets the double state of a managed body: its next step goes on from exactly these, where Bullet's
+  /// setters would round them in a single-precision world. L_W follows, and R_WB is q_WB's matrix. Pose,
+  /// interpolated pose and angular velocity of the body are written, rounded. A diverged body turns again.
+  /// The body is not woken.
+  /// @param q_WB of unit length; it is normalized if it is not
+  /// @param omega_W rad/s
+  /// @throws std::invalid_argument if the body is not managed, a number is not finite, q_WB is zero, or
+  /// omega_W is faster than kMaximumAngularSpeed (rotation_limits.h).
+  /// @throws std::logic_error within a step.
+  void set_rotation(btRigidBody& body, const Quaternion& q_WB, const Vector3& omega_W);
+
+  /// @name Snapshots snapshot.h says what they hold and how rollback, lockstep and replay use them. Each
+  /// throws std::logic_error within a step, or while the plugin is detached. Restoring throws
+  /// std::invalid_argument, having changed nothing, for a snapshot that is damaged, of another format
+  /// version, of the other precision, not finite or of another body or world; the message says what is wrong
+  /// and what is valid. Contact callbacks are not called. Motion states are written by the next step.
+  /// @{ One body with its rotation: in free flight it takes the same steps, to the last bit, as the body that
+  /// went on. Contact points belong to the world and are not in it. Multibodies cannot be saved.
+  /// @throws std::invalid_argument if the body is not managed, or has a number that is not finite.
+  Snapshot save(const btRigidBody& body) const;
+  /// Chooses the scheme of the snapshot for the body, if it has another.
+  void restore(btRigidBody& body, const Snapshot& snapshot);
+  /// The whole world: all its bodies, also those that the library does not rotate, with contacts and joints.
+  /// @throws std::invalid_argument if a number is not finite, if the world has multibodies or soft bodies, or
+  /// another broadphase, pair cache or dispatcher than btDbvtBroadphase, btHashedOverlappingPairCache and
+  /// btCollisionDispatcher.
+  Snapshot save_world() const;
+  /// Restores the world, whose bodies and joints are in the order in which they were saved, or in `order`:
+  /// the lists of the world are then put in that order. If memory runs out, the world is left partly
+  /// restored, and may be restored again.
+  void restore_world(const Snapshot& snapshot);
+  void restore_world(const Snapshot& snapshot, const WorldOrder& order);
+  /// @}
 
   /// Replaces the handler; an empty one is allowed. Without a handler incidents are only counted.
   void set_incident_handler(IncidentHandler handler);

@@ -57,6 +57,7 @@ void Batch::attach(std::size_t lane, btRigidBody& body, Drive* drive) {
   if (driven != nullptr) driven->drives[lane] = drive;
   identities[lane] = body_identity(body);
   diverged.reset(lane);
+  state_was_set.reset(lane);
   leave_step(lane);
   may_be_clamped.set(lane);
   steps[lane] = unresolved_steps[lane] = 0;
@@ -96,6 +97,24 @@ void Batch::start(std::size_t lane) {
   set_state(lane, first);
 }
 
+void Batch::set_rotation(std::size_t lane, const Quaternion& orientation_WB, const Vector3& velocity_W) {
+  btRigidBody& body = *bodies[lane];
+  const btVector3 place = finite_motion(body, last_written(lane)).pose.getOrigin();
+  RotationState state;
+  set_orientation(state, orientation_WB);
+  state.omega_W = velocity_W;
+  if (driven != nullptr) state.rotor_momentum_B = driven->drives[lane]->rotor_momentum_B;
+  make_momentum_agree(moments_B(body.getInvInertiaDiagLocal()), keeps_rotation, state);
+  set_state(lane, state);
+  diverged.reset(lane);
+  state_was_set.set(lane);
+  angular_velocity(body) = to_bullet(velocity_W);
+  body.setCenterOfMassTransform(btTransform(to_bullet(Matrix3(orientation_WB.toRotationMatrix())), place));
+  set_vector_in_lane(lane, body.getAngularVelocity(), written_omega_W);
+  set_vector_in_lane(lane, body.getInvInertiaDiagLocal(), inverse_inertia_B);
+  set_vector_in_lane(lane, place, origin);
+}
+
 void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) noexcept {
   set_state(to, other.state(from));
   for (std::size_t row = 0; row < memory_rows(); ++row) memory[row].set(to, other.memory[row][from]);
@@ -107,7 +126,7 @@ void Batch::move_from(const Batch& other, std::size_t from, std::size_t to) noex
   identities[to] = other.identities[from];
   list_index[to] = other.list_index[from];
   world_index[to] = other.world_index[from];
-  for (auto bits : {&Batch::diverged, &Batch::begun, &Batch::in_solve, &Batch::torqued,
+  for (auto bits : {&Batch::diverged, &Batch::state_was_set, &Batch::begun, &Batch::in_solve, &Batch::torqued,
                     &Batch::may_be_clamped, &Batch::of_library, &Batch::constrained, &Batch::held,
                     &Batch::given_mean, &Batch::given_effective, &Batch::given_torque, &Batch::unresolved}) {
     (this->*bits).set(to, (other.*bits)[from]);

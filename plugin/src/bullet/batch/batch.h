@@ -48,6 +48,7 @@ struct alignas(64) Batch {
   std::array<std::uint32_t, kLanes> list_index{};  ///< in the world's list of bodies
   LaneBits diverged;                               ///< left to Bullet, at rest in its last finite state
   std::unique_ptr<DrivenLanes> driven;             ///< null: none of the bodies has a Drive
+  LaneBits state_was_set;  ///< by set_rotation or restore: the first step starts from it
 
   // Within a step.
   LaneBits begun;                         ///< lanes whose step has begun
@@ -96,6 +97,8 @@ struct alignas(64) Batch {
   void attach(std::size_t lane, btRigidBody& body, Drive* drive);
   /// Takes the body's motion as it is: its first step starts there, whenever the body was seen first.
   void start(std::size_t lane);
+  /// Starts the lane afresh from these, and writes them to the body, rounded.
+  void set_rotation(std::size_t lane, const Quaternion& orientation_WB, const Vector3& velocity_W);
   void detach(std::size_t lane);
   /// Takes the body out of a step under way: Bullet has it for the rest.
   void leave_step(std::size_t lane);

@@ -122,7 +122,7 @@ void begin_step(Batch& batch, const LaneBits& lanes, const StepContext& context)
   adopt_changes(batch, lanes, context);
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
-    if (batch.steps[lane] == 0) batch.start(lane);
+    if (batch.steps[lane] == 0 && !batch.state_was_set[lane]) batch.start(lane);
     batch.world_index[lane] = batch.bodies[lane]->getWorldArrayIndex();
   }
   batch.begun |= lanes;

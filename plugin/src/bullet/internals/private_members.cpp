@@ -1,5 +1,7 @@
 #include "bullet/internals/private_members.h"
 
+#include <BulletCollision/CollisionDispatch/btCompoundCompoundCollisionAlgorithm.h>
+#include <BulletDynamics/ConstraintSolver/btHingeConstraint.h>
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
 #include <BulletDynamics/Featherstone/btMultiBodyGearConstraint.h>
@@ -49,6 +51,11 @@ struct BaseTorque : VectorOfMultibody {
   friend Member member_of(BaseTorque);
 };
 
+struct ChildPairs {
+  using Member = btHashedSimplePairCache* btCompoundCompoundCollisionAlgorithm::*;
+  friend Member member_of(ChildPairs);
+};
+
 template <class Tag, typename Tag::Member member>
 struct Reveal {
   friend typename Tag::Member member_of(Tag) { return member; }
@@ -58,6 +65,7 @@ template struct Reveal<DebugBodyId, &btRigidBody::m_debugBodyId>;
 template struct Reveal<AdditionalDamping, &btRigidBody::m_additionalDamping>;
 template struct Reveal<InverseInertiaTensorW, &btRigidBody::m_invInertiaTensorWorld>;
 template struct Reveal<Velocities, &btMultiBody::m_realBuf>;
+template struct Reveal<ChildPairs, &btCompoundCompoundCollisionAlgorithm::m_childCollisionAlgorithmCache>;
 template struct Reveal<BaseForce, &btMultiBody::m_baseForce>;
 template struct Reveal<BaseTorque, &btMultiBody::m_baseTorque>;
 
@@ -69,6 +77,16 @@ struct World : btDiscreteDynamicsWorld {
   static constexpr auto kFixedTimeStep = &World::m_fixedTimeStep;
   static constexpr auto kInterpolates = &World::m_latencyMotionStateInterpolation;
   static constexpr auto kShowsAll = &World::m_synchronizeAllMotionStates;
+  static constexpr auto kPredictiveManifolds = &World::m_predictiveManifolds;
+  static constexpr auto kJoints = &World::m_constraints;
+};
+
+struct CompoundAlgorithm : btCompoundCollisionAlgorithm {
+  static constexpr auto kChildren = &CompoundAlgorithm::m_childCollisionAlgorithms;
+};
+
+struct AccumulatingHinge : btHingeAccumulatedAngleConstraint {
+  static constexpr auto kAngle = &AccumulatingHinge::m_accumulatedAngle;
 };
 
 // Each of Bullet's constraints has members of its own for them, by the same names.
@@ -136,6 +154,35 @@ btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world) {
 
 btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world) {
   return world.*World::kActions;
+}
+
+btAlignedObjectArray<btPersistentManifold*>& predictive_manifolds(btDiscreteDynamicsWorld& world) {
+  return world.*World::kPredictiveManifolds;
+}
+
+btAlignedObjectArray<btTypedConstraint*>& joints(btDiscreteDynamicsWorld& world) {
+  return world.*World::kJoints;
+}
+
+btScalar& local_time(btDiscreteDynamicsWorld& world) {
+  return world.*World::kLocalTime;
+}
+
+btScalar& fixed_time_step(btDiscreteDynamicsWorld& world) {
+  return world.*World::kFixedTimeStep;
+}
+
+CompoundParts parts_of(btCollisionAlgorithm& algorithm) {
+  auto* const compound = dynamic_cast<btCompoundCollisionAlgorithm*>(&algorithm);
+  if (compound == nullptr) return {nullptr, nullptr};
+  auto* const of_two = dynamic_cast<btCompoundCompoundCollisionAlgorithm*>(compound);
+  return {&(compound->*CompoundAlgorithm::kChildren),
+          of_two == nullptr ? nullptr : of_two->*member_of(ChildPairs())};
+}
+
+btScalar* accumulated_angle(btTypedConstraint& joint) {
+  auto* const hinge = dynamic_cast<btHingeAccumulatedAngleConstraint*>(&joint);
+  return hinge == nullptr ? nullptr : &(hinge->*AccumulatingHinge::kAngle);
 }
 
 // btDiscreteDynamicsWorld::synchronizeMotionStates and synchronizeSingleMotionState choose alike.

@@ -7,6 +7,8 @@
 
 #include "polhode/bullet/precision.h"
 
+class btCollisionAlgorithm;
+class btHashedSimplePairCache;
 class btMultiBody;
 class btMultiBodyConstraint;
 
@@ -44,12 +46,34 @@ inline btVector3& interpolation_angular_velocity(btRigidBody& body) {
 btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world);
 btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world);
 
+/// Manifolds of predictive contacts, made anew in each step.
+btAlignedObjectArray<btPersistentManifold*>& predictive_manifolds(btDiscreteDynamicsWorld& world);
+/// The joints, in the order of getConstraint.
+btAlignedObjectArray<btTypedConstraint*>& joints(btDiscreteDynamicsWorld& world);
+/// The time between the last step and what stepSimulation was given so far, s.
+btScalar& local_time(btDiscreteDynamicsWorld& world);
+btScalar& fixed_time_step(btDiscreteDynamicsWorld& world);
+
 /// Returns whether synchronizeMotionStates, called now, would show bodies at a time between two steps, or
 /// objects that are not awake as well.
 bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world);
 
 /// The pose that synchronizeSingleMotionState, called now, would show of the body.
 btTransform pose_to_show(const btDiscreteDynamicsWorld& world, const btRigidBody& body);
+/// @}
+
+/// @name Others
+/// @{
+/// The algorithms within that of a compound shape.
+struct CompoundParts {
+  /// By child, null for those that are far from the other body. A null pointer if the algorithm is another.
+  btAlignedObjectArray<btCollisionAlgorithm*>* children;
+  btHashedSimplePairCache* pairs;  ///< of the children of two compound shapes; null if there is one
+};
+CompoundParts parts_of(btCollisionAlgorithm& algorithm);
+
+/// What getAccumulatedHingeAngle adds to; null if the joint is another.
+btScalar* accumulated_angle(btTypedConstraint& joint);
 /// @}
 
 /// @name btMultiBody

@@ -4,12 +4,16 @@
 #include <LinearMath/btQuickprof.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "bullet/internals/private_members.h"
+#include "bullet/snapshot/body_snapshot.h"
+#include "bullet/snapshot/world_snapshot.h"
 #include "bullet/world/world_stepper.h"
+#include "polhode/rotation_limits.h"
 
 namespace polhode {
 inline namespace POLHODE_PRECISION {
@@ -120,13 +124,28 @@ void set_rotor_torque_of(WorldStepper& stepper, btRigidBody& body, const Vector3
   stepper.drop_idle_drive(body);
 }
 
-BodyRotation require_managed(const BodyRegistry::Lane& place) {
+const BodyRegistry::Lane& require_managed(const BodyRegistry::Lane& place) {
   if (place.batch == nullptr) {
     throw std::invalid_argument(
         "this body is not rotated by the library: it was released, is static or kinematic, is not in the "
         "world, or the world has no default scheme");
   }
+  return place;
+}
+
+BodyRotation rotation_at(const BodyRegistry::Lane& place) {
+  require_managed(place);
   return place.batch->rotation(place.lane);
+}
+
+// A quaternion that a step left keeps its bits.
+Quaternion require_orientation(const Quaternion& q_WB) {
+  const double norm2 = q_WB.squaredNorm();
+  if (!std::isfinite(norm2) || norm2 == 0.0)
+    throw std::invalid_argument("the quaternion q_WB is zero or not finite: give one of length 1");
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  if (std::abs(norm2 - 1.0) <= kRounding) return q_WB;
+  return q_WB.normalized();
 }
 
 }  // namespace
@@ -250,15 +269,49 @@ bool RotationControl::manages(const btMultiBody& multibody) const {
 }
 
 BodyRotation RotationControl::rotation_of(const btRigidBody& body) const {
-  return require_managed(stepper_->find(body));
+  return rotation_at(stepper_->find(body));
 }
 
 BodyRotation RotationControl::rotation_of(const btMultiBody& multibody) const {
-  return require_managed(stepper_->find(multibody));
+  return rotation_at(stepper_->find(multibody));
 }
 
 std::size_t RotationControl::managed_bodies() const {
   return stepper_->managed_bodies();
+}
+
+void RotationControl::set_rotation(btRigidBody& body, const Quaternion& q_WB, const Vector3& omega_W) {
+  require_between_steps(*stepper_);
+  const BodyRegistry::Lane place = require_managed(stepper_->find(body));
+  const Quaternion unit_q_WB = require_orientation(q_WB);
+  if (!(omega_W.norm() <= kMaximumAngularSpeed)) {
+    throw std::invalid_argument("the angular velocity omega_W is not finite or faster than " +
+                                std::to_string(kMaximumAngularSpeed) + " rad/s");
+  }
+  place.batch->set_rotation(place.lane, unit_q_WB, omega_W);
+}
+
+Snapshot RotationControl::save(const btRigidBody& body) const {
+  require_managed(stepper_->find(body));
+  return save_body(*stepper_, const_cast<btRigidBody&>(body));
+}
+
+void RotationControl::restore(btRigidBody& body, const Snapshot& snapshot) {
+  if (stepper_->is_attached() && !stepper_->is_in_world(body))
+    throw std::invalid_argument("this body is not in the world: a snapshot is restored after addRigidBody");
+  restore_body(*stepper_, body, snapshot);
+}
+
+Snapshot RotationControl::save_world() const {
+  return polhode::save_world(*stepper_);
+}
+
+void RotationControl::restore_world(const Snapshot& snapshot) {
+  polhode::restore_world(*stepper_, snapshot, order_of(stepper_->world()));
+}
+
+void RotationControl::restore_world(const Snapshot& snapshot, const WorldOrder& order) {
+  polhode::restore_world(*stepper_, snapshot, order);
 }
 
 void RotationControl::set_incident_handler(IncidentHandler handler) {

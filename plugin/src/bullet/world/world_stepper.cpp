@@ -150,12 +150,15 @@ void WorldStepper::restart(btRigidBody& body, const SchemePointer& scheme) {
   of_multibodies_.registry.restart(body, treatment);
 }
 
-BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
-  if (world_ == nullptr || !claim_.holds() || body.isStaticOrKinematicObject()) return {nullptr, 0};
+bool WorldStepper::is_in_world(const btRigidBody& body) const {
+  if (world_ == nullptr || !claim_.holds()) return false;
   const int index = body.getWorldArrayIndex();
   const btCollisionObjectArray& objects = world_->getCollisionObjectArray();
-  const bool is_in_world = index >= 0 && index < objects.size() && objects[index] == &body;
-  if (!is_in_world) return {nullptr, 0};
+  return index >= 0 && index < objects.size() && objects[index] == &body;
+}
+
+BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
+  if (body.isStaticOrKinematicObject() || !is_in_world(body)) return {nullptr, 0};
   const BodyRegistry::Lane known = rigid_.registry.find(body, choices_);
   if (known.batch != nullptr) return known;
   synchronize();
@@ -170,6 +173,18 @@ BodyRegistry::Lane WorldStepper::find(const btMultiBody& multibody) {
   MultibodyProxy& proxy = multibodies_[static_cast<std::size_t>(index)];
   proxy.read();
   return of_multibodies_.registry.find(proxy.body(), choices_);
+}
+
+BodyRegistry::Lane WorldStepper::lane_of(const btRigidBody& body) {
+  if (!is_in_world(body)) return {nullptr, 0};
+  return rigid_.registry.find(body, choices_);
+}
+
+bool WorldStepper::is_within_step() const {
+  for (const Batch* batch : rigid_.registry.batches()) {
+    if (batch->begun.any()) return true;
+  }
+  return false;
 }
 
 std::size_t WorldStepper::managed_bodies() {

@@ -43,9 +43,19 @@ class WorldStepper {
   void drop_idle_drive(btRigidBody& body);
   /// For a body that has a drive. The motion changes in the library's numbers and in Bullet's.
   void set_rotor_momentum(btRigidBody& body, const Vector3& rotor_momentum_B, RotorChange change);
+  /// Returns whether the body is in the world at present.
+  bool is_in_world(const btRigidBody& body) const;
   /// Batch null: the library does not rotate the body.
   BodyRegistry::Lane find(const btRigidBody& body);
   BodyRegistry::Lane find(const btMultiBody& multibody);
+  /// The same for any rigid body in the world's list, also one that is kinematic at present. To be called
+  /// after synchronize.
+  BodyRegistry::Lane lane_of(const btRigidBody& body);
+  /// Follows the world's lists. Cheap where they are as they were.
+  void synchronize() noexcept;
+  bool is_attached() const { return world_ != nullptr && claim_.holds(); }
+  /// Returns whether some body has begun its step and not ended it.
+  bool is_within_step() const;
   /// The body that stands for it in choose and choose_default.
   btRigidBody& proxy_of(btMultiBody& multibody) { return multibodies_.proxy_of(multibody).body(); }
   std::size_t managed_bodies();
@@ -77,9 +87,8 @@ class WorldStepper {
   using Bodies = btAlignedObjectArray<btRigidBody*>;
 
   Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
-  void synchronize() noexcept;
-  /// Takes the memory that a step of all these bodies wants, but for what the first one in a joint or a contact
-  /// takes.
+  /// Takes the memory that a step of all these bodies wants, but for what the first one in a joint or a
+  /// contact takes.
   /// @throws std::bad_alloc
   void synchronize_all();
   void restart(btRigidBody& body, const SchemePointer& scheme);
