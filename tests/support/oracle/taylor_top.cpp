@@ -52,6 +52,8 @@ std::array<Number, size> value_after(const std::array<std::array<Number, size>, 
 struct TaylorTop::State {
   void expand();
   double longest_step() const;
+  // To so much after the expansion.
+  void move_to(const Number& h);
   Numbers4 L_W() const { return product(product(q_WB, {0, L_B[0], L_B[1], L_B[2]}), conjugate(q_WB)); }
 
   Numbers3 inertia_B, L_B, rotor_B;
@@ -59,8 +61,10 @@ struct TaylorTop::State {
   // Coefficients of t^n.
   std::array<Numbers3, kOrder + 1> L_series, omega_series;
   std::array<Numbers4, kOrder + 1> q_series;
+  Number since_expansion = 0, reach = 0;  // of the expansion, s
 };
 
+// Reaches as many calls of advance as its longest step holds, since it costs a hundred times an evaluation.
 void TaylorTop::State::expand() {
   L_series[0] = L_B;
   q_series[0] = q_WB;
@@ -68,7 +72,7 @@ void TaylorTop::State::expand() {
     for (int i = 0; i < 3; ++i) {
       omega_series[n][i] = (n == 0 ? Number(L_B[i] - rotor_B[i]) : L_series[n][i]) / inertia_B[i];
     }
-    if (n == kOrder) return;
+    if (n == kOrder) break;
     Numbers3 L_rate{};
     Numbers4 q_rate{};
     for (int k = 0; k <= n; ++k) {
@@ -83,6 +87,14 @@ void TaylorTop::State::expand() {
     for (int i = 0; i < 3; ++i) L_series[n + 1][i] = L_rate[i] / (n + 1);
     for (int i = 0; i < 4; ++i) q_series[n + 1][i] = q_rate[i] / (n + 1);
   }
+  since_expansion = 0;
+  reach = longest_step();
+}
+
+void TaylorTop::State::move_to(const Number& h) {
+  L_B = value_after(L_series, h);
+  q_WB = value_after(q_series, h);
+  since_expansion = h;
 }
 
 // From the last two coefficients (Jorba & Zou 2005), two in case one of them vanishes.
@@ -113,18 +125,19 @@ TaylorTop::TaylorTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vec
     state.L_B[i] = L_B[i + 1];
     state.rotor_B[i] = rotor_B[i];
   }
+  state.expand();
 }
 
 TaylorTop::~TaylorTop() = default;
 
 void TaylorTop::advance(double t_s) {
-  for (Number left = t_s; left > 0;) {
+  Number target = state_->since_expansion + t_s;
+  while (target > state_->reach) {
+    target -= state_->reach;
+    state_->move_to(state_->reach);
     state_->expand();
-    const Number h = std::min(left, Number(state_->longest_step()));
-    state_->L_B = value_after(state_->L_series, h);
-    state_->q_WB = value_after(state_->q_series, h);
-    left -= h;
   }
+  state_->move_to(target);
 }
 
 Quaternion TaylorTop::q_WB() const {
