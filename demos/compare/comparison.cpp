@@ -73,11 +73,12 @@ void run_all(const std::vector<Contender>& contenders, Files& files, Report& rep
 }  // namespace
 
 Comparison compare(const Options& options) {
-  const std::vector<Contender> contenders = chosen_contenders(options.contenders);
   const Scenario scenario = chosen_scenario(options);
-  Report report{{scenario, bullet_precision(), {}}, {}, {}, drawn_body(scenario.body), options.command};
+  const ChosenContenders chosen = chosen_contenders(options.contenders, scenario);
+  Report report{
+      {scenario, bullet_precision(), {}, chosen.note}, {}, {}, drawn_body(scenario.body), options.command};
   Files files(options);
-  run_all(contenders, files, report);
+  run_all(chosen.contenders, files, report);
   files.write(report);
   return report.comparison;
 }

@@ -21,13 +21,17 @@ Contender bullet_multibody() {
           BulletMultibody{}};
 }
 
+std::string names_of(const std::vector<Contender>& contenders) {
+  std::string names;
+  for (const Contender& contender : contenders) names += (names.empty() ? "" : ", ") + contender.name;
+  return names;
+}
+
 const Contender& find_contender(const std::vector<Contender>& all, const std::string& name) {
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Contender& contender) { return contender.name == name; });
   if (found != all.end()) return *found;
-  std::string valid;
-  for (const Contender& contender : all) valid += (valid.empty() ? "" : ", ") + contender.name;
-  throw std::invalid_argument("unknown contender \"" + name + "\"; valid are " + valid);
+  throw std::invalid_argument("unknown contender \"" + name + "\"; valid are " + names_of(all));
 }
 
 }  // namespace
@@ -62,8 +66,36 @@ std::vector<Contender> find_contenders(const std::vector<std::string>& names) {
   return chosen;
 }
 
-std::vector<Contender> chosen_contenders(const std::vector<std::string>& names) {
-  return names.empty() ? default_contenders() : find_contenders(names);
+bool takes_rotors(const Contender& contender) {
+  if (const SchemePointer* scheme = std::get_if<SchemePointer>(&contender.method)) {
+    return (*scheme)->description().takes_rotors;
+  }
+  return std::holds_alternative<BulletMode>(contender.method);
+}
+
+void require_can_run(const Contender& contender, const Scenario& scenario) {
+  if (!scenario.has_rotors() || takes_rotors(contender)) return;
+  throw std::invalid_argument("contender \"" + contender.name +
+                              "\" takes no rotors, and the scenario has some; valid are " +
+                              names_of(those_that_can_run(all_contenders(), scenario).contenders));
+}
+
+ChosenContenders those_that_can_run(const std::vector<Contender>& contenders, const Scenario& scenario) {
+  ChosenContenders chosen;
+  std::vector<Contender> left_out;
+  for (const Contender& contender : contenders) {
+    const bool can_run = !scenario.has_rotors() || takes_rotors(contender);
+    (can_run ? chosen.contenders : left_out).push_back(contender);
+  }
+  if (!left_out.empty()) chosen.note = "left out, since they take no rotors: " + names_of(left_out);
+  return chosen;
+}
+
+ChosenContenders chosen_contenders(const std::vector<std::string>& names, const Scenario& scenario) {
+  if (names.empty()) return those_that_can_run(default_contenders(), scenario);
+  const std::vector<Contender> contenders = find_contenders(names);
+  for (const Contender& contender : contenders) require_can_run(contender, scenario);
+  return {contenders, ""};
 }
 
 }  // namespace polhode::demos

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "polhode/scheme_registry.h"
+#include "scenario/scenario.h"
 
 namespace polhode::demos {
 
@@ -32,7 +33,22 @@ std::vector<Contender> default_contenders();
 /// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice.
 std::vector<Contender> find_contenders(const std::vector<std::string>& names);
 
-/// The same, or the default ones where none is named.
-std::vector<Contender> chosen_contenders(const std::vector<std::string>& names);
+/// Returns true if it takes rotors inside bodies.
+bool takes_rotors(const Contender& contender);
+
+/// @throws std::invalid_argument if the scenario has rotors and the contender takes none
+void require_can_run(const Contender& contender, const Scenario& scenario);
+
+struct ChosenContenders {
+  std::vector<Contender> contenders;
+  std::string note;  ///< says which were left out; one line, or empty
+};
+
+/// Returns those of them that can run the scenario.
+ChosenContenders those_that_can_run(const std::vector<Contender>& contenders, const Scenario& scenario);
+
+/// Returns the contenders of these names, or where none is named, those of the default ones that can run the scenario.
+/// @throws std::invalid_argument as find_contenders and require_can_run
+ChosenContenders chosen_contenders(const std::vector<std::string>& names, const Scenario& scenario);
 
 }  // namespace polhode::demos

@@ -55,6 +55,7 @@ struct Comparison {
   Scenario scenario;      ///< as run, with the inertia that follows from its shape
   std::string precision;  ///< of Bullet: "single" or "double"
   std::vector<ContenderFigures> contenders;
+  std::string note;  ///< on the choice of contenders; one line, or empty
 };
 
 }  // namespace polhode::demos

@@ -37,7 +37,8 @@ std::string heading(const Comparison& comparison) {
   const std::string description = scenario.description.empty() ? "" : ": " + scenario.description;
   return scenario.name + description + "\ndt " + short_number_text(scenario.dt, 6) + " s, " +
          number_text(steps) + (steps == 1 ? " step, " : " steps, ") + comparison.precision +
-         "-precision Bullet, polhode " + kVersion + "\n\n";
+         "-precision Bullet, polhode " + kVersion + "\n" +
+         (comparison.note.empty() ? "" : comparison.note + "\n") + "\n";
 }
 
 }  // namespace

@@ -13,6 +13,11 @@ struct Range {
   constexpr bool contains(double value) const { return value >= lowest && value <= highest; }
 };
 
+/// A component of a vector of any unit.
+inline constexpr Range kAnySign{-1e9, 1e9};
+/// A coordinate of a place, m.
+inline constexpr Range kPlace{-1e6, 1e6};
+
 /// "a finite number between 1e-06 and 1000"
 std::string range_text(const Range& range);
 

@@ -1,5 +1,6 @@
 #include "scenario/scenario.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -8,7 +9,13 @@
 namespace polhode::demos {
 
 bool Scenario::is_torque_free() const {
-  return torque_W.isZero(0.0) && body.angular_damping == 0.0 && !constraint && !ground && others.empty();
+  return torque_W.isZero(0.0) && body.angular_damping == 0.0 && body.drive.is_torque_free() && !constraint &&
+         !ground && others.empty();
+}
+
+bool Scenario::has_rotors() const {
+  return body.drive.has_rotors() || std::any_of(others.begin(), others.end(),
+                                                [](const Body& other) { return other.drive.has_rotors(); });
 }
 
 std::int64_t step_count(double dt, double duration) {

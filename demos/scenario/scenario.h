@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "polhode/rotation_state.h"
+#include "scenario/drive.h"
 #include "scenario/range.h"
 
 /// The content of a scenario file, in SI units; demos/README.md documents the file's keys. Frames: W the
@@ -55,6 +56,7 @@ struct Body {
   double restitution = 0.0;
   double linear_damping = 0.0;
   double angular_damping = 0.0;
+  Drive drive;
 };
 
 /// The half space normal_W . x <= height.
@@ -83,9 +85,11 @@ struct Scenario {
   double dt = 0.0;
   double duration = 0.0;
 
-  /// Returns true if nothing can touch `body` or exert a torque on it about its centre of mass. Gravity
-  /// exerts none.
+  /// Returns true if nothing can touch `body` or exert a torque on it about its centre of mass, and its rotors, if it
+  /// has some, keep their momentum. Gravity exerts no torque.
   bool is_torque_free() const;
+  /// Returns true if a body has rotors, from the start or later.
+  bool has_rotors() const;
 };
 
 /// Limits the spheres, boxes and parts of compounds in a world: where all of them overlap, Bullet keeps contacts

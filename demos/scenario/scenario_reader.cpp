@@ -4,6 +4,7 @@
 
 #include "polhode/rotation_limits.h"
 #include "scenario/checked_object.h"
+#include "scenario/drive_reader.h"
 #include "scenario/input_file.h"
 #include "scenario/number_text.h"
 #include "scenario/printable_text.h"
@@ -12,10 +13,8 @@ namespace polhode::demos {
 
 namespace {
 
-constexpr Range kAnySign{-1e9, 1e9};
 constexpr Range kMass{1e-9, 1e9};
 constexpr Range kLength{1e-6, 1e6};
-constexpr Range kPlace{-1e6, 1e6};
 constexpr Range kFraction{0.0, 1.0};
 constexpr Range kFriction{0.0, 1e3};
 constexpr Range kAngularSpeed{-kMaximumAngularSpeed, kMaximumAngularSpeed};
@@ -95,6 +94,7 @@ Body read_body(CheckedObject& object) {
   body.friction = object.number("friction", kFriction, body.friction);
   body.restitution = object.number("restitution", kFraction, body.restitution);
   if (object.has("damping")) read_damping(object.object("damping"), body);
+  body.drive = read_drive(object);
   return body;
 }
 

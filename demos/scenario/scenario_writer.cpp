@@ -10,6 +10,10 @@ Json list(const Vector3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+Json list(const Quaternion& q) {
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
 Json shape_json(const Sphere& sphere) {
   return {{"type", "sphere"}, {"radius", sphere.radius}};
 }
@@ -26,12 +30,44 @@ Json shape_json(const Compound& compound) {
   return {{"type", "compound"}, {"parts", parts}};
 }
 
+Json law_json(const GravityGradient& planet) {
+  return {{"kind", "gravity_gradient"}, {"mu", planet.mu}, {"centre", list(planet.centre_W)}};
+}
+
+Json law_json(const MagneticDipole& magnet) {
+  return {{"kind", "magnetic_dipole"}, {"dipole_B", list(magnet.dipole_B)}, {"field", list(magnet.field_W)}};
+}
+
+Json law_json(const OrientationSpring& spring) {
+  return {{"kind", "spring"}, {"orientation", list(spring.target_WB)}, {"stiffness", spring.stiffness}};
+}
+
+Json law_json(const RateDamping& damping) {
+  return {{"kind", "rate_damping"}, {"coefficients_B", list(damping.coefficients_B)}};
+}
+
+Json law_json(const InternalDamping& damping) {
+  return {{"kind", "internal_damping"}, {"moment", damping.moment}, {"coefficient", damping.coefficient}};
+}
+
+// A body that nothing drives has none of these keys.
+void write_drive(const Drive& drive, Json& json) {
+  if (!drive.rotor_momentum_B.isZero(0.0)) json["rotor_momentum"] = list(drive.rotor_momentum_B);
+  for (const MotorTorque& torque : drive.motor_torques) {
+    json["rotor_torque"].push_back(
+        {{"torque_B", list(torque.torque_B)}, {"from", torque.from_s}, {"until", torque.until_s}});
+  }
+  if (drive.law) {
+    json["torque_law"] = std::visit([](const auto& law) { return law_json(law); }, *drive.law);
+  }
+}
+
 void write_body(const Body& body, Json& json) {
   if (body.inertia_B) json["inertia"] = list(*body.inertia_B);
   json["mass"] = body.mass;
   json["shape"] = std::visit([](const auto& shape) { return shape_json(shape); }, body.shape);
   json["position"] = list(body.position_W);
-  json["orientation"] = {body.q_WB.w(), body.q_WB.x(), body.q_WB.y(), body.q_WB.z()};
+  json["orientation"] = list(body.q_WB);
   json["angular_velocity"] = list(body.omega_W);
   json["linear_velocity"] = list(body.velocity_W);
   json["impulses"] = Json::array();
@@ -41,6 +77,7 @@ void write_body(const Body& body, Json& json) {
   json["friction"] = body.friction;
   json["restitution"] = body.restitution;
   json["damping"] = {{"linear", body.linear_damping}, {"angular", body.angular_damping}};
+  write_drive(body.drive, json);
 }
 
 }  // namespace

@@ -21,9 +21,10 @@ namespace {
 FreeBody body_of(const std::string& name) {
   return naming_the_scenario(name, [&] {
     const Scenario scenario = resolved(find_scenario(name));
-    if (!scenario.is_torque_free()) {
+    if (!scenario.is_torque_free() || scenario.has_rotors()) {
       throw std::invalid_argument(
-          "not a free body; valid is one without torque, damping, constraint, ground and others");
+          "not a free body; valid is one without torque, torque law, rotors, damping, constraint, ground and "
+          "others");
     }
     const Vector3 inertia_B = *scenario.body.inertia_B;
     const FreeBody body{inertia_B, scenario.body.q_WB, start_motion(scenario.body, inertia_B).omega_W};

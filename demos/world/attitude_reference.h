@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "record/sample.h"
@@ -7,7 +8,8 @@
 
 namespace polhode::oracle {
 class FreeTop;
-}
+class TaylorTop;
+}  // namespace polhode::oracle
 
 namespace polhode::demos {
 
@@ -23,11 +25,13 @@ class AttitudeReference {
   AttitudeReference(AttitudeReference&&) noexcept;
   AttitudeReference& operator=(AttitudeReference&&) noexcept;
 
-  /// Sets the sample's attitude error, where the exact motion is known.
-  void compare(Sample& sample) const;
+  /// Sets the sample's attitude error, where the exact motion is known. Samples must come in the order of their steps.
+  void compare(Sample& sample);
 
  private:
   std::unique_ptr<const oracle::FreeTop> free_top_;
+  std::unique_ptr<oracle::TaylorTop> top_with_rotors_;  ///< at the step of the last sample
+  std::int64_t step_ = 0;
   double dt_s_;
 };
 

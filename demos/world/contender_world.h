@@ -25,7 +25,7 @@ class ContenderWorld {
   /// The same world if its bodies are multibodies; else null.
   btMultiBodyDynamicsWorld* multibody_world() { return multibody_world_; }
   /// The library's part in it; null in a plain world.
-  const RotationControl* rotation() const { return rotation_; }
+  RotationControl* rotation() const { return rotation_; }
 
   /// Gives a body the mode's flag and no other in a plain world. Call it for each body that is added.
   void set_gyroscopic_flag(btRigidBody& body) const;
@@ -42,7 +42,7 @@ class ContenderWorld {
   std::unique_ptr<btSequentialImpulseConstraintSolver> solver_;
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
   btMultiBodyDynamicsWorld* multibody_world_ = nullptr;
-  const RotationControl* rotation_ = nullptr;
+  RotationControl* rotation_ = nullptr;
 };
 
 }  // namespace polhode::demos

@@ -50,7 +50,7 @@ class StepTimer {
 Figures run(const Scenario& scenario, const Contender& contender, const SampleObserver& observe) {
   ScenarioWorld world(scenario, contender);
   Sample start = world.sample().value();
-  const AttitudeReference reference(scenario, world, start);
+  AttitudeReference reference(scenario, world, start);
   reference.compare(start);
   FiguresRecorder recorder(start, scenario.dt);
   observe(start);

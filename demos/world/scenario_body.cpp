@@ -4,9 +4,12 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
 
+#include <stdexcept>
+
 #include "scenario/start_motion.h"
 #include "world/body_rotation.h"
 #include "world/body_shape.h"
+#include "world/bullet_rotors.h"
 #include "world/conversions.h"
 
 namespace polhode::demos {
@@ -23,8 +26,11 @@ class RigidScenarioBody final : public ScenarioBody {
   RigidScenarioBody(ContenderWorld& world, const Body& description)
       : world_(world.world()),
         shape_(make_shape(description)),
-        body_(static_cast<btScalar>(description.mass), nullptr, shape_.shape.get(),
-              to_bullet(shape_.inertia_B)) {
+        wheels_(world.rotation() == nullptr ? wheels_for(description.drive, shape_.inertia_B)
+                                            : std::vector<Wheel>()),
+        body_(static_cast<btScalar>((1.0 - kWheelMass * static_cast<double>(wheels_.size())) *
+                                    description.mass),
+              nullptr, shape_.shape.get(), to_bullet(shape_.inertia_B - inertia_in_wheels_B())) {
     const StartMotion start = start_motion(description, shape_.inertia_B);
     body_.setCenterOfMassTransform(
         btTransform(to_bullet(description.q_WB), to_bullet(description.position_W)));
@@ -36,18 +42,37 @@ class RigidScenarioBody final : public ScenarioBody {
     body_.setActivationState(DISABLE_DEACTIVATION);
     world.set_gyroscopic_flag(body_);
     world_.addRigidBody(&body_);
+    if (!wheels_.empty()) rotors_ = std::make_unique<BulletRotors>(world, body_, description, wheels_);
   }
 
   ~RigidScenarioBody() override {
+    rotors_.reset();
     if (constraint_) world_.removeConstraint(constraint_.get());
     world_.removeRigidBody(&body_);
   }
 
-  const btCollisionObject& object() const override { return body_; }
-  RotationState rotation() const override { return rotation_of(body_); }
+  btCollisionObject& object() override { return body_; }
+
+  RotationState rotation() const override {
+    RotationState state = rotation_of(body_);
+    if (rotors_ == nullptr) return state;
+    state.L_W += rotors_->angular_momentum_W();
+    state.rotor_momentum_B = rotors_->momentum_B();
+    return state;
+  }
+
   Vector3 velocity_W() const override { return from_bullet(body_.getLinearVelocity()); }
-  Vector3 inertia_B() const override { return inertia_of(body_); }
+  Vector3 inertia_B() const override { return inertia_of(body_) + inertia_in_wheels_B(); }
   void apply_torque(const Vector3& torque_W) override { body_.applyTorque(to_bullet(torque_W)); }
+
+  void apply_acceleration(const Vector3& acceleration_W) override {
+    body_.applyCentralForce(body_.getMass() * to_bullet(acceleration_W));
+    if (rotors_ != nullptr) rotors_->apply_acceleration(acceleration_W);
+  }
+
+  void apply_rotor_torque(const Vector3& torque_B) override {
+    if (rotors_ != nullptr) rotors_->apply_torque(torque_B);
+  }
 
   void pin(const Vector3& pivot_B) override {
     constraint_ = std::make_unique<btPoint2PointConstraint>(body_, to_bullet(pivot_B));
@@ -55,9 +80,17 @@ class RigidScenarioBody final : public ScenarioBody {
   }
 
  private:
+  Vector3 inertia_in_wheels_B() const {
+    Vector3 sum_B = Vector3::Zero();
+    for (const Wheel& wheel : wheels_) sum_B += wheel.transverse_inertia_B();
+    return sum_B;
+  }
+
   btDiscreteDynamicsWorld& world_;
   BodyShape shape_;
+  std::vector<Wheel> wheels_;  ///< where Bullet rotates the body, and it has rotors
   btRigidBody body_;
+  std::unique_ptr<BulletRotors> rotors_;
   std::unique_ptr<btPoint2PointConstraint> constraint_;
 };
 
@@ -92,11 +125,19 @@ class MultibodyScenarioBody final : public ScenarioBody {
     world_.removeCollisionObject(&collider_);
   }
 
-  const btCollisionObject& object() const override { return collider_; }
+  btCollisionObject& object() override { return collider_; }
   RotationState rotation() const override { return rotation_of(multibody_); }
   Vector3 velocity_W() const override { return from_bullet(multibody_.getBaseVel()); }
   Vector3 inertia_B() const override { return inertia_of(multibody_); }
   void apply_torque(const Vector3& torque_W) override { multibody_.addBaseTorque(to_bullet(torque_W)); }
+
+  void apply_acceleration(const Vector3& acceleration_W) override {
+    multibody_.addBaseForce(multibody_.getBaseMass() * to_bullet(acceleration_W));
+  }
+
+  void apply_rotor_torque(const Vector3& /*torque_B*/) override {
+    throw std::logic_error("a multibody has no rotors here");
+  }
 
   void pin(const Vector3& pivot_B) override {
     btRigidBody* const the_world = nullptr;

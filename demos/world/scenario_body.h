@@ -20,7 +20,7 @@ class ScenarioBody {
   virtual ~ScenarioBody() = default;
 
   /// Returns what Bullet collides and draws: the rigid body, or the collider of the multibody.
-  virtual const btCollisionObject& object() const = 0;
+  virtual btCollisionObject& object() = 0;
 
   /// @name The values as Bullet has them
   /// @{
@@ -29,8 +29,15 @@ class ScenarioBody {
   virtual Vector3 inertia_B() const = 0;
   /// @}
 
-  /// Bullet clears the torque after the next step.
+  /// @name What acts during the next step
+  /// Bullet clears it after that.
+  /// @{
   virtual void apply_torque(const Vector3& torque_W) = 0;
+  /// As gravity does, on the centre of mass.
+  virtual void apply_acceleration(const Vector3& acceleration_W) = 0;
+  /// On the rotors of a body that Bullet rotates, by motors inside the body.
+  virtual void apply_rotor_torque(const Vector3& torque_B) = 0;
+  /// @}
 
   /// Holds a point of the body in its place in the world by a constraint.
   virtual void pin(const Vector3& pivot_B) = 0;

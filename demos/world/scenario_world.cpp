@@ -9,12 +9,18 @@ namespace polhode::demos {
 
 ScenarioWorld::ScenarioWorld(const Scenario& scenario, const Contender& contender)
     : scenario_(scenario), world_(contender) {
+  require_can_run(contender, scenario);
   world().setGravity(to_bullet(scenario_.gravity_W));
   world().getSolverInfo().m_numIterations = scenario_.solver_iterations;
-  bodies_.push_back(make_scenario_body(world_, scenario.body));
-  for (const Body& other : scenario.others) bodies_.push_back(make_scenario_body(world_, other));
+  add_body(scenario.body);
+  for (const Body& other : scenario.others) add_body(other);
   if (scenario.ground) add_ground(*scenario.ground);
   if (scenario.constraint) bodies_.front()->pin(scenario.constraint->pivot_B);
+}
+
+void ScenarioWorld::add_body(const Body& description) {
+  bodies_.push_back(make_scenario_body(world_, description));
+  drivers_.emplace_back(*bodies_.back(), description.drive, world_.rotation());
 }
 
 void ScenarioWorld::add_ground(const Ground& ground) {
@@ -28,6 +34,8 @@ void ScenarioWorld::add_ground(const Ground& ground) {
 
 void ScenarioWorld::step() {
   bodies_.front()->apply_torque(scenario_.torque_W);
+  for (Driver& driver : drivers_)
+    driver.before_step(static_cast<double>(steps_) * scenario_.dt, scenario_.dt);
   world().stepSimulation(static_cast<btScalar>(scenario_.dt), 0);
   ++steps_;
 }
@@ -55,7 +63,10 @@ double ScenarioWorld::energy_J(const RotationState& state) const {
   const double mass = scenario_.body.mass;
   const Vector3 velocity_W = bodies_.front()->velocity_W();
   const Vector3 position_W = from_bullet(body().getWorldTransform().getOrigin());
-  return state.energy() + 0.5 * mass * velocity_W.squaredNorm() - mass * scenario_.gravity_W.dot(position_W);
+  const double energy_J =
+      state.energy() + 0.5 * mass * velocity_W.squaredNorm() - mass * scenario_.gravity_W.dot(position_W);
+  const std::optional<ChosenLaw>& law = scenario_.body.drive.law;
+  return law ? energy_J + potential_J(*law, {state.q_WB, position_W, inertia_B(), mass}) : energy_J;
 }
 
 }  // namespace polhode::demos

@@ -8,6 +8,7 @@
 #include "record/sample.h"
 #include "world/body_shape.h"
 #include "world/contender_world.h"
+#include "world/driver.h"
 #include "world/scenario_body.h"
 
 namespace polhode::demos {
@@ -16,7 +17,7 @@ namespace polhode::demos {
 /// asleep.
 class ScenarioWorld {
  public:
-  /// @throws std::invalid_argument for a start that start_motion refuses.
+  /// @throws std::invalid_argument for a start that start_motion refuses, and as require_can_run.
   ScenarioWorld(const Scenario& scenario, const Contender& contender);
 
   void step();
@@ -36,6 +37,7 @@ class ScenarioWorld {
   const btCollisionObject& body(std::size_t index = 0) const { return bodies_.at(index)->object(); }
 
  private:
+  void add_body(const Body& description);
   void add_ground(const Ground& ground);
   std::optional<RotationState> rotation() const;
   double energy_J(const RotationState& state) const;
@@ -47,6 +49,7 @@ class ScenarioWorld {
   ContenderWorld
       world_;  ///< after the ground, which has to outlive it, and before the bodies, which leave it
   std::vector<std::unique_ptr<ScenarioBody>> bodies_;
+  std::vector<Driver> drivers_;
 };
 
 }  // namespace polhode::demos

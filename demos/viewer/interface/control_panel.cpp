@@ -41,6 +41,13 @@ void draw_playback(Session& session) {
   ImGui::Text("speed x%g", session.clock().speed());
 }
 
+void restart_with(Session& session, const Scenario& scenario) {
+  ChosenContenders chosen = those_that_can_run(session.contenders(), scenario);
+  if (chosen.contenders.empty()) chosen.contenders = chosen_contenders({}, scenario).contenders;
+  const std::string note = chosen.note.empty() ? "" : "; " + chosen.note;
+  session.restart(scenario, chosen.contenders, scenario.name + " from its start" + note);
+}
+
 void draw_scenarios(Session& session) {
   const std::string current = session.simulation().scenario().name;  // its owner may be replaced below
   ImGui::SetNextItemWidth(-1.0f);
@@ -48,7 +55,7 @@ void draw_scenarios(Session& session) {
   attempt(session, [&] {
     for (const std::string& name : scenario_names()) {
       if (!ImGui::Selectable(printable(name).c_str(), name == current)) continue;
-      session.restart(resolved(find_scenario(name)), session.contenders(), name + " from its start");
+      restart_with(session, resolved(find_scenario(name)));
     }
   });
   ImGui::EndCombo();

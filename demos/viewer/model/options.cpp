@@ -93,7 +93,11 @@ std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arg
 
 Session chosen_session(const ViewerOptions& options) {
   if (options.replay) return Session(read_recording(*options.replay));
-  return Session(chosen_scenario(options), chosen_contenders(options.contenders));
+  const Scenario scenario = chosen_scenario(options);
+  const ChosenContenders chosen = chosen_contenders(options.contenders, scenario);
+  Session session(scenario, chosen.contenders);
+  session.set_notice(chosen.note);
+  return session;
 }
 
 std::int64_t chosen_step(const ViewerOptions& options, const Session& session) {

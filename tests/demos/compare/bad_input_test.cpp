@@ -63,11 +63,19 @@ const BadInput kBadInputs[] = {
     {"scenario_twice", {"--scenario", "tumble", "--scenario", "floor"}, kOptions},
     {"unknown_scenario",
      {"--scenario", "tumbler", "--csv", "DIR/out.csv"},
-     "valid are cube_expansion, dzhanibekov, fast_spinner, floor, heavy_top, osrf_boxes, osrf_boxes_simple, "
-     "t_handle, "
-     "tumble, or a path"},
-    {"empty_scenario", {"--scenario", ""}, "valid are cube_expansion,"},
-    {"line_break_in_a_name", {"--scenario", "a\nb"}, "valid are cube_expansion,"},
+     "valid are bicycle_wheel, cube_expansion, dzhanibekov, explorer_1, fast_spinner, floor, "
+     "gravity_gradient, "
+     "heavy_top, osrf_boxes, osrf_boxes_simple, reaction_wheels, t_handle, tumble, wheel_stops_the_flip, or "
+     "a "
+     "path"},
+    {"empty_scenario", {"--scenario", ""}, "valid are bicycle_wheel, cube_expansion,"},
+    {"line_break_in_a_name", {"--scenario", "a\nb"}, "valid are bicycle_wheel, cube_expansion,"},
+    {"contender_without_rotors",
+     {"--scenario", "bicycle_wheel", "--contender", "exact", "--contender", "matrix", "--csv", "DIR/out.csv"},
+     "contender \"matrix\" takes no rotors, and the scenario has some; valid are exact, quaternion"},
+    {"multibody_without_rotors",
+     {"--scenario", "explorer_1", "--contender", "bullet:multibody"},
+     "contender \"bullet:multibody\" takes no rotors"},
     {"missing_file",
      {"--scenario", "DIR/none.json"},
      "DIR/none.json: no such file; a scenario is a JSON file"},

@@ -16,6 +16,7 @@ namespace polhode::demos {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 CommandResult compare(const std::vector<std::string>& arguments,
                       const std::vector<std::string>& environment = {}) {
@@ -83,6 +84,28 @@ TEST(Compare, ShowsThatAMultibodyGainsEnergyInATumble) {
   EXPECT_GT(figures["bullet:multibody"]["final_energy_error"], 100.0);  // measured 359
   EXPECT_TRUE(figures["bullet:multibody"]["diverged_at_s"].is_null()) << "Bullet limits its velocity";
   EXPECT_THAT(read_file(directory / "out.html"), HasSubstr("\"bullet:multibody\""));
+}
+
+// demos/README.md shows these figures.
+TEST(Compare, ShowsThatFrictionTurnsAPencilOver) {
+  const TemporaryDirectory directory;
+  compare({"--scenario", "explorer_1", "--contender", "exact", "--contender", "bullet:implicit_body",
+           "--contender", "bullet:explicit", "--json", (directory / "out.json").string()});
+  auto figures = figures_by_contender(nlohmann::json::parse(read_file(directory / "out.json")));
+  EXPECT_NEAR(figures["exact"]["final_energy_error"].get<double>(), -0.796, 0.002);  // measured -0.7959
+  EXPECT_LT(figures["exact"]["worst_momentum_error"], 1e-12);                        // measured 0
+  EXPECT_NEAR(figures["bullet:implicit_body"]["final_energy_error"].get<double>(), 0,
+              0.01);                                                 // measured -1.1e-5
+  EXPECT_GT(figures["bullet:explicit"]["final_energy_error"], 1.0);  // measured 1.83
+  EXPECT_TRUE(figures["exact"]["worst_attitude_error_rad"].is_null());
+}
+
+TEST(Compare, LeavesOutSchemesThatTakeNoRotors) {
+  const std::string table = compare({"--scenario", "bicycle_wheel", "--duration", "0.1"}).standard_output;
+  EXPECT_THAT(table, HasSubstr("\nleft out, since they take no rotors: matrix\n"));
+  EXPECT_THAT(table, Not(HasSubstr("\nmatrix")));
+  EXPECT_THAT(compare({"--scenario", "tumble", "--duration", "0.1"}).standard_output,
+              Not(HasSubstr("left out")));
 }
 
 TEST(Compare, PrintsARowOfAlignedColumnsPerContender) {

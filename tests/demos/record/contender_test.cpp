@@ -55,6 +55,39 @@ TEST(Contenders, AreRefusedWithTheValidNamesOrWhenGivenTwice) {
           "contender \"matrix\" is given twice; valid is each once"));
 }
 
+Scenario with_rotors() {
+  Scenario scenario;
+  scenario.body.drive.rotor_momentum_B = {0, 0, 1};
+  return scenario;
+}
+
+TEST(Contenders, AreTheDefaultOnesThatTakeRotorsWhereThereAreSome) {
+  const ChosenContenders chosen = chosen_contenders({}, with_rotors());
+  EXPECT_THAT(names_of(chosen.contenders),
+              testing::ElementsAre("exact", "quaternion", "semi_implicit_gyroscopic", "implicit_gyroscopic",
+                                   "bullet:none", "bullet:explicit", "bullet:implicit_world",
+                                   "bullet:implicit_body"));
+  EXPECT_EQ(chosen.note, "left out, since they take no rotors: matrix");
+  const ChosenContenders without = chosen_contenders({}, Scenario());
+  EXPECT_EQ(names_of(without.contenders), names_of(default_contenders()));
+  EXPECT_EQ(without.note, "");
+}
+
+TEST(Contenders, AreRefusedIfTheyAreNamedAndTakeNoRotors) {
+  EXPECT_THAT(names_of(chosen_contenders({"matrix", "bullet:multibody"}, Scenario()).contenders),
+              testing::ElementsAre("matrix", "bullet:multibody"));
+  for (const char* name : {"matrix", "bullet", "moser_veselov", "moser_veselov_4", "bullet:multibody"}) {
+    EXPECT_THAT(
+        [&] {
+          chosen_contenders({"exact", name}, with_rotors());
+        },
+        testing::ThrowsMessage<std::invalid_argument>(testing::AllOf(
+            testing::StartsWith("contender \"" + std::string(name) +
+                                "\" takes no rotors, and the scenario has some; valid are exact, quaternion"),
+            testing::EndsWith("bullet:implicit_body"))));
+  }
+}
+
 // The CSV files hold numbers and these names. A spreadsheet takes neither for a formula, and no cell needs
 // quotes.
 TEST(Contenders, HaveNamesThatArePlainWords) {

@@ -33,6 +33,12 @@ Comparison small_comparison() {
   return comparison;
 }
 
+TEST(Table, SaysWhichContendersWereLeftOut) {
+  Comparison comparison = small_comparison();
+  comparison.note = "left out: third";
+  EXPECT_THAT(comparison_table(comparison), testing::ContainsRegex("\nleft out: third\n\ncontender "));
+}
+
 Sample small_sample() {
   Sample sample;
   sample.step = 12345;

@@ -21,7 +21,9 @@ TEST_P(ScenarioFile, IsReadAndNamedAndDescribed) {
 
 INSTANTIATE_TEST_SUITE_P(Each, ScenarioFile,
                          testing::Values("cube_expansion", "dzhanibekov", "t_handle", "tumble", "heavy_top",
-                                         "fast_spinner", "floor", "osrf_boxes", "osrf_boxes_simple"),
+                                         "fast_spinner", "floor", "osrf_boxes", "osrf_boxes_simple",
+                                         "gravity_gradient", "wheel_stops_the_flip", "reaction_wheels",
+                                         "explorer_1", "bicycle_wheel"),
                          [](const auto& file) { return file.param; });
 
 TEST(ScenarioFiles, CubeExpansionIsTheHandoutsCube) {

@@ -156,8 +156,8 @@ TEST_P(BadScenario, IsRefusedWithFileAndKeyAndWhatIsValid) {
 const std::string kVectorRange = "a list of 3 numbers, each a finite number between ";
 const std::string kTopKeys =
     "angular_velocity, constraint, damping, description, dt, duration, friction, gravity, ground, impulses, "
-    "inertia, linear_velocity, mass, name, orientation, others, position, restitution, shape, "
-    "solver_iterations, torque";
+    "inertia, linear_velocity, mass, name, orientation, others, position, restitution, rotor_momentum, "
+    "rotor_torque, shape, solver_iterations, torque, torque_law";
 
 INSTANTIATE_TEST_SUITE_P(
     Missing, BadScenario,
@@ -194,7 +194,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "\"constraint.x\": unknown key; valid are pivot_B, type"},
         BadText{body_with(R"(, "others": [{"inertia": [1, 2, 3], "dt": 1}])"),
                 "\"others[0].dt\": unknown key; valid are angular_velocity, damping, friction, impulses, "
-                "inertia, linear_velocity, mass, orientation, position, restitution, shape"},
+                "inertia, linear_velocity, mass, orientation, position, restitution, rotor_momentum, "
+                "rotor_torque, shape, torque_law"},
         BadText{body_with(R"(, "shape": {"type": "cone"})"),
                 "\"shape.type\": unknown shape \"cone\"; valid are sphere, box, compound"},
         BadText{body_with(R"(, "constraint": {"type": "hinge"})"),

@@ -118,7 +118,7 @@ TEST(Viewer, SaysThatThereIsNoDisplay) {
 TEST(Viewer, RefusesBadInputInOneLine) {
   const std::pair<std::vector<std::string>, std::string> inputs[] = {
       {{"--frobnicate"}, "valid options are"},
-      {{"--scenario", "tumbler"}, "valid are cube_expansion, dzhanibekov"},
+      {{"--scenario", "tumbler"}, "valid are bicycle_wheel, cube_expansion, dzhanibekov"},
       {{"--contender", "exakt"}, "exact"},
       {{"--replay", "\x1b[2J\u202e\xff\n"}, "\\x1b[2J\\xe2\\x80\\xae\\xff\\x0a: "},
       {{"--dt", "0"}, "--dt: must be a finite number between 1e-06 and 1000"},

@@ -60,7 +60,7 @@ const BadOptions kBadOptions[] = {
     {"scenario_with_torque",
      {"curve", "--scenario", "heavy_top"},
      "heavy_top: not a free body; valid is one"},
-    {"unknown_scenario", {"curve", "--scenario", "tumbler"}, "valid are cube_expansion,"},
+    {"unknown_scenario", {"curve", "--scenario", "tumbler"}, "valid are bicycle_wheel, cube_expansion,"},
     {"scenario_and_body", {"curve", "--scenario", "tumble", "--omega", "1", "2", "3"}, "excludes"},
     {"curve_in_no_directory", {"curve", "--csv", "DIR/none/out.csv"}, kFile},
     {"both_files_the_same", {"cost", "--csv", "DIR/out", "--json", "DIR/./out"}, "valid are two files"},

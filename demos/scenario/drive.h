@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "polhode/torque_law.h"
+
+/// What drives a body: the content of the keys "torque_law", "rotor_momentum" and "rotor_torque", in SI units.
+namespace polhode::demos {
+
+/// A planet, whose gravity pulls and turns the body.
+struct GravityGradient {
+  double mu;  ///< gravitational parameter, m^3/s^2
+  Vector3 centre_W;
+
+  Vector3 acceleration_W(const Vector3& position_W) const;
+};
+
+struct MagneticDipole {
+  Vector3 dipole_B;
+  Vector3 field_W;
+};
+
+struct OrientationSpring {
+  Quaternion target_WB;
+  double stiffness;
+};
+
+struct RateDamping {
+  Vector3 coefficients_B;
+};
+
+/// A damper about each axis of the body: a rotor that the body drags along.
+struct InternalDamping {
+  double moment;
+  double coefficient;
+};
+
+using ChosenLaw =
+    std::variant<GravityGradient, MagneticDipole, OrientationSpring, RateDamping, InternalDamping>;
+
+/// A torque of motors inside the body on its rotors, for some time.
+struct MotorTorque {
+  Vector3 torque_B;
+  double from_s;
+  double until_s;
+};
+
+struct Drive {
+  Vector3 rotor_momentum_B = Vector3::Zero();  ///< at the start
+  std::vector<MotorTorque> motor_torques;
+  std::optional<ChosenLaw> law;
+
+  bool has_rotors() const;
+  /// Returns true if nothing but rotors that keep their momentum is in the body.
+  bool is_torque_free() const { return motor_torques.empty() && !law; }
+  /// Returns the sum of the rotor torques that act at that time.
+  Vector3 motor_torque_B(double t_s) const;
+};
+
+/// The library's law.
+TorqueLaw torque_law(const ChosenLaw& law);
+
+/// What of a body the potential energy of a law depends on.
+struct Placement {
+  Quaternion q_WB;
+  Vector3 position_W;
+  Vector3 inertia_B;
+  double mass;
+};
+
+/// Returns the potential energy of the law, of a planet that of its pull too. A law that damps has none.
+double potential_J(const ChosenLaw& law, const Placement& body);
+
+}  // namespace polhode::demos
