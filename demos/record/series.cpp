@@ -71,8 +71,8 @@ void SeriesRecorder::end_stretch(const Sample& sample) {
   const RotationState& state = sample.state;
   append(sample.t_s, series_.t_s);
   append(sample.energy_J, series_.energy_J);
-  // L.omega/2 with omega = R I^-1 R^T L, term by term: also of a basis that is no rotation.
-  const Vector3 L_B = state.R_WB.transpose() * state.L_W;
+  // L.omega/2 with omega = R I^-1 R^T L, term by term: also of a basis that is no rotation. L without the rotors.
+  const Vector3 L_B = state.R_WB.transpose() * state.L_W - state.rotor_momentum_B;
   const Vector3 energies = 0.5 * L_B.cwiseAbs2().cwiseQuotient(inertia_B_);
   append(energies.x(), series_.energy_x_J);
   append(energies.y(), series_.energy_y_J);
@@ -82,6 +82,7 @@ void SeriesRecorder::end_stretch(const Sample& sample) {
   append_all(sample.position_W, series_.position_W);
   append_all(state.omega_W, series_.omega_W);
   append_all(state.L_W, series_.L_W);
+  append_all(Vector3(state.R_WB * state.rotor_momentum_B), series_.rotor_momentum_W);
   append(worst_.energy, series_.energy_error);
   append(worst_.momentum, series_.momentum_error);
   append(worst_.momentum_angle_rad, series_.momentum_angle_rad);

@@ -24,6 +24,7 @@ struct Series {
   std::vector<float> position_W;
   std::vector<float> omega_W;
   std::vector<float> L_W;
+  std::vector<float> rotor_momentum_W;
   /// @}
 
   /// @name The one of largest magnitude in the stretch

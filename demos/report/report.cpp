@@ -31,24 +31,26 @@ Json body_json(const DrawnBody& body) {
   return {{"parts", parts}};
 }
 
-Json series_json(const Series& series) {
-  return {{"count", series.records()},
-          {"stride", series.stride},
-          {"t_s", base64(series.t_s)},
-          {"energy_J", base64(series.energy_J)},
-          {"energy_x_J", base64(series.energy_x_J)},
-          {"energy_y_J", base64(series.energy_y_J)},
-          {"energy_z_J", base64(series.energy_z_J)},
-          {"energy_error", base64(series.energy_error)},
-          {"momentum_error", base64(series.momentum_error)},
-          {"momentum_angle_rad", base64(series.momentum_angle_rad)},
-          {"det_R", base64(series.det_R)},
-          {"attitude_error_rad", base64(series.attitude_error_rad)},
-          {"past_cut", base64(series.past_cut)},
-          {"R_WB", base64(series.R_WB)},
-          {"position_W", base64(series.position_W)},
-          {"omega_W", base64(series.omega_W)},
-          {"L_W", base64(series.L_W)}};
+Json series_json(const Series& series, bool has_rotors) {
+  Json json = {{"count", series.records()},
+               {"stride", series.stride},
+               {"t_s", base64(series.t_s)},
+               {"energy_J", base64(series.energy_J)},
+               {"energy_x_J", base64(series.energy_x_J)},
+               {"energy_y_J", base64(series.energy_y_J)},
+               {"energy_z_J", base64(series.energy_z_J)},
+               {"energy_error", base64(series.energy_error)},
+               {"momentum_error", base64(series.momentum_error)},
+               {"momentum_angle_rad", base64(series.momentum_angle_rad)},
+               {"det_R", base64(series.det_R)},
+               {"attitude_error_rad", base64(series.attitude_error_rad)},
+               {"past_cut", base64(series.past_cut)},
+               {"R_WB", base64(series.R_WB)},
+               {"position_W", base64(series.position_W)},
+               {"omega_W", base64(series.omega_W)},
+               {"L_W", base64(series.L_W)}};
+  if (has_rotors) json["rotor_momentum_W"] = base64(series.rotor_momentum_W);
+  return json;
 }
 
 // Escapes the JSON, so that no text in it can end the script element around it.
@@ -86,12 +88,13 @@ std::string report_json(const Report& report) {
     json["ground"] = {{"height", scenario.ground->height}, {"normal", list(scenario.ground->normal_W)}};
   }
   json["steps"] = step_count(scenario.dt, scenario.duration);
+  if (!comparison.note.empty()) json["note"] = comparison.note;
   json["contenders"] = Json::array();
   for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
     json["contenders"].push_back({{"name", comparison.contenders[i].contender},
                                   {"summary", report.summaries[i]},
                                   {"figures", figures_json(comparison.contenders[i].figures)},
-                                  {"series", series_json(report.series[i])}});
+                                  {"series", series_json(report.series[i], scenario.has_rotors())}});
   }
   return json.dump();
 }

@@ -1,7 +1,7 @@
 "use strict";
 
-// The recorded body in 3D, with its axes, its angular velocity and its angular momentum. There is one model; it takes the
-// pose of one contender after the other, each for its own view.
+// The recorded body in 3D, with its axes, its angular velocity, its angular momentum and that of its rotors. There is one
+// model; it takes the pose of one contender after the other, each for its own view.
 
 class BodyModel {
   constructor(report) {
@@ -21,10 +21,11 @@ class BodyModel {
     this.addAxes();
     this.addJoint();
 
-    // Where the two are parallel the thin one reaches out of the thick one.
+    // Where they are parallel the thin ones reach out of the thick ones.
     this.omega = new Arrow(this.radius, "\u03c9", 0.024, 1.5);
     this.momentum = new Arrow(this.radius, "L", 0.042, 1.12);
-    this.root.add(this.solid, this.ghost, this.omega.root, this.momentum.root);
+    this.rotor = new Arrow(this.radius, "h", 0.06, 1.12);
+    this.root.add(this.solid, this.ghost, this.omega.root, this.momentum.root, this.rotor.root);
     const longest = key => Math.max(...report.contenders.map(each => length(each.vector(key, 0))));
     this.longest = {omega: longest("omega_W"), momentum: longest("L_W")};
     this.applyPalette();
@@ -116,8 +117,8 @@ class BodyModel {
       letter.sprite.position.copy(letter.tip).applyMatrix4(this.solid.matrix);
       letter.resize(letterScale * stepBack);
     }
-    for (const [arrow, key, longest] of [
-      [this.omega, "omega_W", this.longest.omega], [this.momentum, "L_W", this.longest.momentum]]) {
+    for (const [arrow, key, longest] of [[this.omega, "omega_W", this.longest.omega],
+      [this.momentum, "L_W", this.longest.momentum], [this.rotor, "rotor_momentum_W", this.longest.momentum]]) {
       arrow.point(position, contender.vector(key, record), longest, stepBack, letterScale);
     }
     return stepBack;
@@ -134,6 +135,7 @@ class BodyModel {
     }
     this.omega.paint(ink.omega);
     this.momentum.paint(ink.momentum);
+    this.rotor.paint(ink.rotor);
   }
 }
 

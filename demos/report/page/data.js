@@ -39,8 +39,9 @@ class Contender {
     return this.divergedAt_s !== null && t_s > this.lastTime_s;
   }
 
+  /** A key that the scenario has no use for is one of zeros. */
   vector(key, record) {
-    return this.series[key].subarray(3 * record, 3 * record + 3);
+    return this.series[key] ? this.series[key].subarray(3 * record, 3 * record + 3) : [0, 0, 0];
   }
 }
 
@@ -49,7 +50,7 @@ class Report {
   constructor(json) {
     Object.assign(this, {version: json.polhode_version, precision: json.precision, command: json.command,
       scenario: json.scenario, inertia_B: json.inertia_B, body: json.body, ground: json.ground || null,
-      steps: json.steps});
+      steps: json.steps, note: json.note || ""});
     this.contenders = json.contenders.map((contender, number) => new Contender(contender, number));
     this.times = this.sharedTimes();
     for (const contender of this.contenders) contender.recordAt = this.recordsAt(contender);
@@ -85,6 +86,10 @@ class Report {
       const value = numberOf(record);
       return Number.isFinite(value) ? value : null;
     });
+  }
+
+  get hasRotors() {
+    return this.contenders.some(contender => contender.series.rotor_momentum_W);
   }
 
   get visibleContenders() {

@@ -21,11 +21,18 @@ function showOverview(report) {
   const acts = numbers => Array.isArray(numbers) && numbers.some(number => number !== 0);
   if (acts(scenario.gravity)) facts.push(["gravity", `${list(scenario.gravity)} m/s\u00b2`]);
   if (acts(scenario.torque)) facts.push(["torque", `${list(scenario.torque)} N m`]);
+  if (scenario.torque_law) facts.push(["torque law", scenario.torque_law.kind.replaceAll("_", " ")]);
+  if (scenario.rotor_momentum) {
+    facts.push(["rotors at the start", `${list(scenario.rotor_momentum)} kg m\u00b2/s in body axes`]);
+  }
+  if (scenario.rotor_torque) facts.push(["motors of the rotors", `${scenario.rotor_torque.length} torques in turn`]);
   if (scenario.constraint) facts.push(["joint", "point to point"]);
   if (report.ground) facts.push(["ground", `at height ${shortNumber(report.ground.height, 6)} m`]);
   if (scenario.others && scenario.others.length > 0) {
     facts.push(["other bodies", `${scenario.others.length}, not recorded and not drawn`]);
   }
+  if (report.note) facts.push(["contenders", report.note]);
+  byId("rotor-hint").hidden = !report.hasRotors;
   byId("facts").replaceChildren(...facts.map(([term, text]) =>
     element("div", {}, element("dt", {}, term), element("dd", {}, text))));
 

@@ -13,9 +13,9 @@ const kDashes = [[], [7, 4], [2, 3]];
 // What is not a contender: canvases cannot read the style sheet.
 const kInks = {
   light: {text: "#1b1f24", faint: "#5b636d", grid: "#dfe3e8", x: "#b3261e", y: "#1e7d32", z: "#2455c3",
-    omega: "#8a5a00", momentum: "#6a2fa0", diverged: "#9aa0a6", ground: "#8d99a6", edge: "#20242a"},
+    omega: "#8a5a00", momentum: "#6a2fa0", rotor: "#00707a", diverged: "#9aa0a6", ground: "#8d99a6", edge: "#20242a"},
   dark: {text: "#e8eaed", faint: "#a9b1ba", grid: "#333940", x: "#ff8a80", y: "#7edb8a", z: "#8fb4ff",
-    omega: "#ffc861", momentum: "#cfa3ff", diverged: "#70767d", ground: "#6d7883", edge: "#f1f3f5"},
+    omega: "#ffc861", momentum: "#cfa3ff", rotor: "#5fd7e0", diverged: "#70767d", ground: "#6d7883", edge: "#f1f3f5"},
 };
 
 const palette = {
@@ -39,7 +39,7 @@ const palette = {
   apply(count) {
     const style = document.documentElement.style;
     for (let number = 0; number < count; ++number) style.setProperty(`--contender-${number}`, this.colour(number));
-    for (const name of ["x", "y", "z", "omega", "momentum"]) style.setProperty(`--ink-${name}`, this.ink[name]);
+    for (const name of ["x", "y", "z", "omega", "momentum", "rotor"]) style.setProperty(`--ink-${name}`, this.ink[name]);
   },
 
   /** A piece of a contender's line, for legends. */

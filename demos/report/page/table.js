@@ -35,9 +35,9 @@ function showFigures(report) {
   fillDescriptions(byId("figures-meaning"), [
     ...kColumns.map(([lines, , meaning]) => [lines.join(" "), meaning]),
     ["E", "total mechanical energy of the body: rotational, translational, and potential with zero at the height of the "
-      + "world's origin; E0 at the start"],
-    ["L", "angular momentum about the centre of mass; L0 at the start. Where forces, a joint or a ground act on the body, "
-      + "energy and L may rightly change"],
+      + "world's origin, without that of rotors inside the body; E0 at the start"],
+    ["L", "angular momentum about the centre of mass, with that of rotors; L0 at the start. Where forces, a torque law, "
+      + "motors, a joint or a ground act on the body, energy and L may rightly change"],
   ]);
   fillDescriptions(byId("summaries"), report.contenders.map(({name, summary}) => [name, summary || "-"]));
 }

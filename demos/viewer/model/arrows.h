@@ -15,9 +15,9 @@ struct Arrow {
   double thickness = 1.0;  ///< of the usual one
 };
 
-/// The axes of the body, omega and L as they are shown. `radius` is the body's, m. omega is as long as 1.6
-/// radii where it has the length it started with, L as 1.3, and neither is longer than 2.2. L is the thicker
-/// one, so that both are seen where they are parallel.
+/// The axes of the body, omega and L as they are shown, and h, the momentum of rotors, where there are some. `radius` is
+/// the body's, m. omega is as long as 1.6 radii where it has the length it started with, L as 1.3, h on the scale of L,
+/// and none is longer than 2.2. L is thicker than omega, and h than L, so that they are seen where they are parallel.
 std::vector<Arrow> arrows_of(const Sample& sample, const Sample& start, double radius);
 
 /// Returns how far the body reaches from its centre of mass, m.

@@ -40,6 +40,7 @@ std::uint64_t digest_of(const Snapshot& snapshot) {
   digest.add(sample.state.R_WB);
   digest.add(sample.state.omega_W);
   digest.add(sample.state.L_W);
+  if (sample.state.has_rotor()) digest.add(sample.state.rotor_momentum_B);
   digest.add(sample.position_W);
   digest.add(sample.energy_J);
   for (const Pose& pose : snapshot.others) {

@@ -6,10 +6,10 @@ namespace polhode::demos {
 
 namespace {
 
-/// The part of the rotational energy that belongs to one axis of the body.
+/// The part of the rotational energy that belongs to one axis of the body, without its rotors.
 double axis_energy(const RotationState& state, int axis) {
   const Vector3 omega_B = state.q_WB.conjugate() * state.omega_W;
-  const Vector3 L_B = state.q_WB.conjugate() * state.L_W;
+  const Vector3 L_B = state.q_WB.conjugate() * state.L_W - state.rotor_momentum_B;
   return 0.5 * omega_B[axis] * L_B[axis];
 }
 

@@ -77,6 +77,21 @@ TEST(Series, LosesNoPeakOfAnError) {
   }
 }
 
+TEST(Series, TakesRotorsForAPartOfTheMomentumAndOfNoEnergy) {
+  SeriesRecorder recorder(kInertia, kDt, 1, 10);
+  Sample sample = sample_at(0);
+  sample.state.q_WB = Quaternion(0, 0, 0, 1);
+  sample.state.R_WB = sample.state.q_WB.toRotationMatrix();
+  sample.state.rotor_momentum_B = {1, 2, 3};
+  sample.state.L_W += sample.state.R_WB * sample.state.rotor_momentum_B;
+  recorder.add(sample);
+  const Series series = recorder.finish();
+  EXPECT_EQ(series.rotor_momentum_W, (std::vector<float>{-1, -2, 3}));
+  EXPECT_EQ(series.energy_x_J[0], 2.0F);
+  EXPECT_EQ(series.energy_y_J[0], 0.0F);
+  EXPECT_EQ(series.energy_z_J[0], 0.0F);
+}
+
 TEST(Series, SplitsTheRotationalEnergyByTheBodysAxes) {
   SeriesRecorder recorder(kInertia, kDt, 1, 10);
   Sample sample = sample_at(0);

@@ -84,6 +84,20 @@ TEST(Arrows, AreTheAxesOmegaAndMomentum) {
   EXPECT_NEAR(arrows[4].along_W.norm(), 1.3 * 0.5, 1e-12);  // |L| is what it was
 }
 
+TEST(Arrows, ShowTheMomentumOfRotorsToo) {
+  for (const char* name : {"exact", "bullet:implicit_body"}) {
+    Simulation simulation(resolved_scenario("wheel_stops_the_flip"), find_contenders({name}));
+    simulation.step();
+    const Sample& sample = simulation.shown(0).sample;
+    const std::vector<Arrow> arrows = arrows_of(sample, simulation.run(0).start(), 0.5);
+    ASSERT_EQ(arrows.size(), 6u) << name;
+    EXPECT_STREQ(arrows[5].name, "h");
+    EXPECT_LT((arrows[5].along_W.normalized() - sample.state.R_WB.col(0)).norm(), 1e-12) << name;
+    const double part = sample.state.rotor_momentum_B.norm() / simulation.run(0).start().state.L_W.norm();
+    EXPECT_NEAR(arrows[5].along_W.norm(), part * 1.3 * 0.5, 1e-12) << "on the scale of L";
+  }
+}
+
 TEST(Plots, HoldEveryQuantityUpToTheShownStep) {
   const Simulation simulation = tumbling(1000);
   for (const QuantityDescription& quantity : kQuantities) {
@@ -97,13 +111,17 @@ TEST(Plots, HoldEveryQuantityUpToTheShownStep) {
 }
 
 TEST(Plots, SplitTheRotationalEnergyAmongTheAxes) {
-  const Simulation simulation = tumbling(50);
-  const Sample& sample = simulation.shown(0).sample;
-  double sum_J = 0.0;
-  for (const Quantity axis : {Quantity::energy_x, Quantity::energy_y, Quantity::energy_z}) {
-    sum_J += *value_of(axis, sample, simulation.run(0).start());
-  }
-  EXPECT_NEAR(sum_J, sample.state.energy(), 1e-13);
+  const auto sum_J = [](const Simulation& simulation) {
+    double sum = 0.0;
+    for (const Quantity axis : {Quantity::energy_x, Quantity::energy_y, Quantity::energy_z}) {
+      sum += *value_of(axis, simulation.shown(0).sample, simulation.run(0).start());
+    }
+    return sum;
+  };
+  const Simulation tumbling_body = tumbling(50);
+  EXPECT_NEAR(sum_J(tumbling_body), tumbling_body.shown(0).sample.state.energy(), 1e-13);
+  const Simulation with_rotor(resolved_scenario("wheel_stops_the_flip"), find_contenders({"exact"}));
+  EXPECT_NEAR(sum_J(with_rotor), with_rotor.shown(0).sample.state.energy(), 1e-13);
 }
 
 TEST(Plots, LetFewOutliersLeaveTheScale) {
