@@ -41,13 +41,6 @@ void draw_playback(Session& session) {
   ImGui::Text("speed x%g", session.clock().speed());
 }
 
-void restart_with(Session& session, const Scenario& scenario) {
-  ChosenContenders chosen = those_that_can_run(session.contenders(), scenario);
-  if (chosen.contenders.empty()) chosen.contenders = chosen_contenders({}, scenario).contenders;
-  const std::string note = chosen.note.empty() ? "" : "; " + chosen.note;
-  session.restart(scenario, chosen.contenders, scenario.name + " from its start" + note);
-}
-
 void draw_scenarios(Session& session) {
   const std::string current = session.simulation().scenario().name;  // its owner may be replaced below
   ImGui::SetNextItemWidth(-1.0f);
@@ -55,7 +48,7 @@ void draw_scenarios(Session& session) {
   attempt(session, [&] {
     for (const std::string& name : scenario_names()) {
       if (!ImGui::Selectable(printable(name).c_str(), name == current)) continue;
-      restart_with(session, resolved(find_scenario(name)));
+      session.change_scenario(resolved(find_scenario(name)));
     }
   });
   ImGui::EndCombo();

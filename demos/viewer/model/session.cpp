@@ -82,6 +82,13 @@ void Session::restart(const Scenario& scenario, const std::vector<Contender>& co
   }
 }
 
+void Session::change_scenario(const Scenario& scenario) {
+  ChosenContenders chosen = those_that_can_run(contenders_, scenario);
+  if (chosen.contenders.empty()) chosen = chosen_contenders({}, scenario);
+  const std::string note = chosen.note.empty() ? "" : "; " + chosen.note;
+  restart(scenario, chosen.contenders, scenario.name + " from its start" + note);
+}
+
 std::string Session::notice() const {
   constexpr std::size_t kLongest = 1000;  // wider than any window
   return printable(shortened(notice_, kLongest));

@@ -40,6 +40,9 @@ class Session {
   /// the notice says why.
   void restart(const Scenario& scenario, const std::vector<Contender>& contenders, const std::string& reason);
 
+  /// Starts over with another scenario and those of the contenders that can run it; with the default ones if none can.
+  void change_scenario(const Scenario& scenario);
+
   const Simulation& simulation() const { return *simulation_; }
   /// Returns the number of steps of the recording that is replayed, 0 without one.
   std::int64_t replayed_steps() const { return replayed_ ? replayed_->steps() : 0; }

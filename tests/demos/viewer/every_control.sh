@@ -32,7 +32,7 @@ expect_in() { # FILE PATTERN
   fi
 }
 
-declare -A place=([scenarios]="155 34" [fast_spinner]="60 93" [run]="39 105" [start_over]="117 105"
+declare -A place=([scenarios]="155 34" [fast_spinner]="60 127" [run]="39 105" [start_over]="117 105"
   [step_back]="188 105" [step]="246 105" [slower]="32 128" [faster]="90 128" [teaching]="17 151" [follow]="17 174"
   [exact]="37 218" [matrix]="37 241" [bullet]="37 333" [dt]="100 607" [inertia]="52 647" [omega]="52 687"
   [apply]="81 710" [undo]="181 710" [csv_file]="97 754" [write_csv]="231 754" [png_file]="97 777" [write_png]="231 777"

@@ -135,5 +135,25 @@ TEST(Session, IsExportedAsThatWhichWasComputed) {
   EXPECT_EQ(read_file(directory / "out.csv"), expected);
 }
 
+TEST(Session, LeavesOutContendersThatCannotRunAnotherScenario) {
+  Session session(resolved_scenario("tumble"), find_contenders({"exact", "matrix"}));
+  session.change_scenario(resolved_scenario("bicycle_wheel"));
+  EXPECT_EQ(session.simulation().scenario().name, "bicycle_wheel");
+  ASSERT_EQ(session.contenders().size(), 1u);
+  EXPECT_EQ(session.contenders().front().name, "exact");
+  EXPECT_EQ(session.notice(), "bicycle_wheel from its start; left out, since they take no rotors: matrix");
+
+  Session without_any(resolved_scenario("tumble"), find_contenders({"matrix"}));
+  without_any.change_scenario(resolved_scenario("bicycle_wheel"));
+  EXPECT_EQ(without_any.contenders().size(), default_contenders().size() - 1);
+}
+
+TEST(Session, KeepsItsContendersWhereOneTakesNoRotors) {
+  Session session(resolved_scenario("bicycle_wheel"), find_contenders({"exact"}));
+  session.restart(session.simulation().scenario(), find_contenders({"exact", "matrix"}), "another");
+  EXPECT_THAT(session.notice(), testing::StartsWith("not changed: contender \"matrix\" takes no rotors"));
+  EXPECT_EQ(session.contenders().size(), 1u);
+}
+
 }  // namespace
 }  // namespace polhode::demos
