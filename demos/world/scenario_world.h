@@ -23,8 +23,8 @@ class ScenarioWorld {
   void step();
 
   /// The recorded body as it is now, nothing if it has diverged. For a scheme the rotation is the library's
-  /// double state, for Bullet's modes it follows from the body's basis and velocity, for Bullet's multibody
-  /// from its quaternion and velocity.
+  /// double state, for Bullet's modes it follows from the body's basis and velocity and those of its wheels, for
+  /// Bullet's multibody from its quaternion and velocity.
   std::optional<Sample> sample() const;
 
   /// The recorded body's moments of inertia as Bullet has rounded them: of a rigid body it keeps the inverses.

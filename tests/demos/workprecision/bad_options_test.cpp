@@ -105,5 +105,16 @@ const BadOptions kBadOptions[] = {
 INSTANTIATE_TEST_SUITE_P(Each, BadOptionsOfWorkPrecision, testing::ValuesIn(kBadOptions),
                          [](const auto& options) { return options.param.what; });
 
+TEST(BadScenarioOfWorkPrecision, IsABodyWithRotors) {
+  const TemporaryDirectory directory;
+  write_file(directory / "rotor.json", R"({"inertia": [1, 2, 3], "angular_velocity": [1, 2, 3],
+                                            "rotor_momentum": [0, 0, 1], "dt": 0.1, "duration": 1})");
+  const CommandResult result =
+      Command(POLHODE_WORKPRECISION_EXECUTABLE, {"curve", "--scenario", (directory / "rotor.json").string()})
+          .wait();
+  expect_refused_in_one_line(result);
+  EXPECT_THAT(result.standard_error, HasSubstr("not a free body; valid is one without"));
+}
+
 }  // namespace
 }  // namespace polhode::demos

@@ -129,6 +129,14 @@ TEST(Driver, KeepsTheEnergyOfAnOrbit) {
   EXPECT_LT(figures.worst_energy_error.value(), 0.01);  // measured 4.2e-3
 }
 
+TEST(Driver, PullsTheWheelsOfABodyToo) {
+  const Scenario scenario = scenario_of(
+      R"("inertia": [1, 2, 3], "position": [10, 0, 0], "linear_velocity": [0, 2.5, 0], "dt": 0.01, "duration": 4,
+         "rotor_momentum": [1, 0, 2], "torque_law": {"kind": "gravity_gradient", "mu": 100})");
+  const Vector3 expected_W = end_of(scenario, "exact").position_W;
+  EXPECT_LT((end_of(scenario, "bullet:implicit_body").position_W - expected_W).norm(), 1e-4);
+}
+
 TEST(Driver, RefusesRotorsForAContenderThatTakesNone) {
   for (const char* keys :
        {R"("rotor_momentum": [0, 0, 1])", R"("rotor_torque": [{"torque_B": [0, 0, 1]}])",
