@@ -78,8 +78,7 @@ POLHODE_INLINE EffectiveInertiaResult<Real> effective_inertia(const formulas::Un
                                                               const formulas::Vector<Real>& L_W,
                                                               const formulas::Vector<Real>& inertia_B,
                                                               const formulas::Vector<Real>& u_W,
-                                                              const Real& dt,
-                                                              double symmetric_limit,
+                                                              const Real& dt, double symmetric_limit,
                                                               const Real& antisymmetric_limit) {
   using std::max, std::abs, std::sqrt;
   using Mask = typename EffectiveInertiaResult<Real>::Mask;
@@ -99,8 +98,8 @@ POLHODE_INLINE EffectiveInertiaResult<Real> effective_inertia(const formulas::Un
   const double s = symmetric_limit;
   const Real minor_2 = s * s - s01 * s01;
   const Real minor_3 = s * minor_2 - s * (s12 * s12 + s20 * s20) + 2.0 * s01 * s12 * s20;
-  const Mask is_resolved = (minor_2 > Real(0.0)) & (minor_3 > Real(0.0)) &
-                           (a2 < antisymmetric_limit * antisymmetric_limit);
+  const Mask is_resolved =
+      (minor_2 > Real(0.0)) & (minor_3 > Real(0.0)) & (a2 < antisymmetric_limit * antisymmetric_limit);
   const Real largest = max(max(max(Real(abs(B01)), Real(abs(B10))), max(Real(abs(B12)), Real(abs(B21)))),
                            max(Real(abs(B20)), Real(abs(B02))));
   const Mask is_negligible = largest < Real(kNegligible);

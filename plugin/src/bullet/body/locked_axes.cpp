@@ -54,7 +54,8 @@ HeldTurn free_turn(const Batch& batch, std::size_t lane, const StepContext& cont
     return turn;
   }
   const Vector3 mean_W = mean_angular_velocity_W(start, end, input.dt);
-  const ResolutionLimits& limits = context.solver_takes_effective_inertia ? kResolvedWithM : kResolvedWithoutM;
+  const ResolutionLimits& limits =
+      context.solver_takes_effective_inertia ? kResolvedWithM : kResolvedWithoutM;
   const auto found = effective_inertia<double>(start.q_WB, start.L_W, input.inertia_B, mean_W, input.dt,
                                                limits.symmetric, limits.antisymmetric);
   turn.is_resolved = found.is_resolved;
