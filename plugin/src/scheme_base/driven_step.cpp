@@ -123,15 +123,21 @@ struct BlanesMoan {
   static constexpr std::array<double, 6> kKicks = {kB1, kB2, kB3, kB3, kB2, kB1};
 };
 
-std::optional<Torque> take_step(Stepper& stepper, const RotationScheme& scheme, const Drive& drive) {
+void take_step_without_law(Stepper& stepper) {
+  stepper.ramp_rotor(0.5);
+  stepper.first_drift(1.0);
+  stepper.ramp_rotor(0.5);
+}
+
+// Returns the torque for the next step.
+std::optional<Torque> take_step_with_law(Stepper& stepper, const RotationScheme& scheme,
+                                         TorqueLawOrder order) {
   std::optional<Torque> last_torque;
   stepper.ramp_rotor(0.5);
-  if (drive.law == nullptr) {
-    stepper.first_drift(1.0);
-  } else if (scheme.description().order == 1) {
+  if (scheme.description().order == 1) {
     last_torque = stepper.kick_at_start();
     stepper.first_drift(1.0);
-  } else if (drive.order == TorqueLawOrder::two) {
+  } else if (order == TorqueLawOrder::two) {
     stepper.first_drift(0.5);
     last_torque = stepper.kick_in_middle();
     stepper.drift(0.5);
@@ -150,17 +156,19 @@ std::optional<Torque> take_step(Stepper& stepper, const RotationScheme& scheme, 
 
 DrivenStep take_driven_step(const RotationScheme& scheme, const StepInput& input, const StepStart& start,
                             const Drive& drive, const RotationState& state) noexcept {
-  try {
-    Stepper stepper(scheme, input, start, drive, state);
-    const std::optional<Torque> last_torque = take_step(stepper, scheme, drive);
-    return {stepper.state(), last_torque, false};
-  } catch (...) {  // the law's own, which is nobody's to handle within a step
+  bool law_failed = false;
+  if (drive.law != nullptr) {
+    try {
+      Stepper stepper(scheme, input, start, drive, state);
+      const std::optional<Torque> last_torque = take_step_with_law(stepper, scheme, drive.order);
+      return {stepper.state(), last_torque, false};
+    } catch (...) {  // the law's own, which is nobody's to handle within a step
+      law_failed = true;
+    }
   }
-  Drive without_law;
-  without_law.rotor_torque_B = drive.rotor_torque_B;
-  Stepper stepper(scheme, input, start, without_law, state);
-  take_step(stepper, scheme, without_law);
-  return {stepper.state(), std::nullopt, true};
+  Stepper stepper(scheme, input, start, drive, state);
+  take_step_without_law(stepper);
+  return {stepper.state(), std::nullopt, law_failed};
 }
 
 DriveGain gain_at_start(const RotationScheme& scheme, const StepInput& input, const StepStart& start,
