@@ -23,7 +23,7 @@ struct BodyRotation {
   /// q_WB, R_WB, omega_W, L_W. In a joint or a contact L_W, and omega_W with it, runs half a step beside the
   /// velocity that the body shows.
   RotationState state;
-  double energy_J = 0.0;    ///< rotational kinetic energy
+  double energy_J = 0.0;    ///< rotational kinetic energy, of the body without its rotors
   std::uint64_t steps = 0;  ///< steps taken with the present scheme
   /// The steps of these that had no gyroscopic term: in a joint or a contact, with dt too long to resolve the
   /// body's gyroscopic motion there (take a shorter one).
