@@ -61,7 +61,8 @@ void adopt_kicks(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch
 // that leaves the finite (a damping of 1 in a step back in time) is left to be found as such: the velocity
 // that was written is what a body is then set back to.
 POLHODE_FOR_EACH_INSTRUCTION_SET
-void scale_velocity(const LaneBits& damped, const BulletWide& factor, Batch& batch) noexcept {
+void scale_velocity(const LaneBits& damped, const BulletWide& factor, const Vector3Wide& damped_L_W,
+                    Batch& batch) noexcept {
   const BulletRows& written_W = batch.written_omega_W;
   const BulletRows damped_W = {written_W.x * factor, written_W.y * factor, written_W.z * factor};
   const LaneBits lanes = damped & are_surely_finite(damped_W).lanes();
@@ -69,14 +70,14 @@ void scale_velocity(const LaneBits& damped, const BulletWide& factor, Batch& bat
   const WideMask mask = wide_mask(lanes);
   const Wide factor_of_state = Wide::converted(factor);
   batch.omega_W = select(mask, Vector3Wide(batch.omega_W * factor_of_state), batch.omega_W);
-  batch.L_W = select(mask, Vector3Wide(batch.L_W * factor_of_state), batch.L_W);
+  batch.L_W = select(mask, damped_L_W, batch.L_W);
 }
 
 // Damping slows the body, not its rotors: L = f (L - R h) + R h.
-void keep_rotors(const LaneBits& damped, const WideState& before, const BulletWide& factor, Batch& batch) {
-  const Vector3Wide body_momentum_W = without_rotor(before, before.L_W);
-  const Vector3Wide L_W = with_rotor(before, Vector3Wide(body_momentum_W * Wide::converted(factor)));
-  batch.L_W = select(wide_mask(damped), L_W, batch.L_W);
+Vector3Wide damped_momentum_W(const Batch& batch, const Wide& factor) {
+  if (batch.driven == nullptr) return batch.L_W * factor;
+  const WideState state = batch.wide_state();
+  return with_rotor(state, Vector3Wide(without_rotor(state, state.L_W) * factor));
 }
 
 void adopt_damping(Batch& batch, const LaneBits& lanes, const StepContext& context) {
@@ -88,10 +89,7 @@ void adopt_damping(Batch& batch, const LaneBits& lanes, const StepContext& conte
     factor.set(lane, context.bullet.damping_factor(batch.bodies[lane]->getAngularDamping(), context.dt));
   }
   if (damped.none()) return;
-  const std::optional<WideState> before =
-      batch.driven != nullptr ? std::make_optional(batch.wide_state()) : std::nullopt;
-  scale_velocity(damped, factor, batch);
-  if (before) keep_rotors(damped, *before, factor, batch);
+  scale_velocity(damped, factor, damped_momentum_W(batch, Wide::converted(factor)), batch);
 }
 
 void take_over(Batch& batch, std::size_t lane) {
