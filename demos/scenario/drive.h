@@ -6,7 +6,7 @@
 
 #include "polhode/torque_law.h"
 
-/// What drives a body: the content of the keys "torque_law", "rotor_momentum" and "rotor_torque", in SI units.
+/// The content of the keys "torque_law", "rotor_momentum" and "rotor_torque", which drive a body; in SI units.
 namespace polhode::demos {
 
 /// A planet, whose gravity pulls and turns the body.
@@ -62,7 +62,7 @@ struct Drive {
 /// The library's law.
 TorqueLaw torque_law(const ChosenLaw& law);
 
-/// What of a body the potential energy of a law depends on.
+/// The part of a body's motion on which the potential energy of a law depends.
 struct Placement {
   Quaternion q_WB;
   Vector3 position_W;

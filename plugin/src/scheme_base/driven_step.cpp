@@ -25,14 +25,10 @@ class Stepper {
 
   const RotationState& state() const { return state_; }
 
+  // The first one after the kick that came with the step.
   void drift(double part) {
-    scheme_.step({input_.inertia_B, Vector3::Zero(), part * input_.dt}, state_);
-    time_ += part;
-  }
-
-  // After the kick that came with the step.
-  void first_drift(double part) {
     scheme_.step({input_.inertia_B, input_.delta_omega_W, part * input_.dt}, state_);
+    input_.delta_omega_W.setZero();
     time_ += part;
   }
 
@@ -125,7 +121,7 @@ struct BlanesMoan {
 
 void take_step_without_law(Stepper& stepper) {
   stepper.ramp_rotor(0.5);
-  stepper.first_drift(1.0);
+  stepper.drift(1.0);
   stepper.ramp_rotor(0.5);
 }
 
@@ -136,13 +132,13 @@ std::optional<Torque> take_step_with_law(Stepper& stepper, const RotationScheme&
   stepper.ramp_rotor(0.5);
   if (scheme.description().order == 1) {
     last_torque = stepper.kick_at_start();
-    stepper.first_drift(1.0);
+    stepper.drift(1.0);
   } else if (order == TorqueLawOrder::two) {
-    stepper.first_drift(0.5);
+    stepper.drift(0.5);
     last_torque = stepper.kick_in_middle();
     stepper.drift(0.5);
   } else {
-    stepper.first_drift(BlanesMoan::kDrifts[0]);
+    stepper.drift(BlanesMoan::kDrifts[0]);
     for (std::size_t i = 0; i < BlanesMoan::kKicks.size(); ++i) {
       stepper.kick_by_runge_kutta(BlanesMoan::kKicks[i]);
       stepper.drift(BlanesMoan::kDrifts[i + 1]);

@@ -27,6 +27,8 @@ struct Drive {
   Vector3 rotor_momentum_B = Vector3::Zero();  ///< RotationState::rotor_momentum_B
   Vector3 rotor_torque_B = Vector3::Zero();    ///< of motors, on the rotors, N m
 
+  /// Rotors that turn, or that a motor will turn.
+  bool has_rotors() const { return !(rotor_momentum_B.isZero(0.0) && rotor_torque_B.isZero(0.0)); }
   /// False: the scheme's own step will do.
   bool acts() const { return law != nullptr || !rotor_torque_B.isZero(0.0); }
 };

@@ -89,23 +89,22 @@ void Batch::start(std::size_t lane) {
   set_vector_in_lane(lane, motion.omega_W, written_omega_W);
   set_vector_in_lane(lane, body.getInvInertiaDiagLocal(), inverse_inertia_B);
   set_vector_in_lane(lane, motion.pose.getOrigin(), origin);
-  RotationState first;
-  set_orientation(first, to_quaternion(motion.pose.getBasis()));
-  first.omega_W = to_double(motion.omega_W);
-  if (driven != nullptr) first.rotor_momentum_B = driven->drives[lane]->rotor_momentum_B;
-  make_momentum_agree(moments_B(body.getInvInertiaDiagLocal()), keeps_rotation, first);
-  set_state(lane, first);
+  set_motion(lane, to_quaternion(motion.pose.getBasis()), to_double(motion.omega_W));
+}
+
+void Batch::set_motion(std::size_t lane, const Quaternion& orientation_WB, const Vector3& velocity_W) {
+  RotationState state;
+  set_orientation(state, orientation_WB);
+  state.omega_W = velocity_W;
+  if (driven != nullptr) state.rotor_momentum_B = driven->drives[lane]->rotor_momentum_B;
+  make_momentum_agree(moments_B(bodies[lane]->getInvInertiaDiagLocal()), keeps_rotation, state);
+  set_state(lane, state);
 }
 
 void Batch::set_rotation(std::size_t lane, const Quaternion& orientation_WB, const Vector3& velocity_W) {
   btRigidBody& body = *bodies[lane];
   const btVector3 place = finite_motion(body, last_written(lane)).pose.getOrigin();
-  RotationState state;
-  set_orientation(state, orientation_WB);
-  state.omega_W = velocity_W;
-  if (driven != nullptr) state.rotor_momentum_B = driven->drives[lane]->rotor_momentum_B;
-  make_momentum_agree(moments_B(body.getInvInertiaDiagLocal()), keeps_rotation, state);
-  set_state(lane, state);
+  set_motion(lane, orientation_WB, velocity_W);
   diverged.reset(lane);
   state_was_set.set(lane);
   angular_velocity(body) = to_bullet(velocity_W);

@@ -97,6 +97,8 @@ struct alignas(64) Batch {
   void attach(std::size_t lane, btRigidBody& body, Drive* drive);
   /// Takes the body's motion as it is: its first step starts there, whenever the body was seen first.
   void start(std::size_t lane);
+  /// Makes this the state, with the rotors that the body has and the momentum that goes with both.
+  void set_motion(std::size_t lane, const Quaternion& orientation_WB, const Vector3& velocity_W);
   /// Starts the lane afresh from these, and writes them to the body, rounded.
   void set_rotation(std::size_t lane, const Quaternion& orientation_WB, const Vector3& velocity_W);
   void detach(std::size_t lane);

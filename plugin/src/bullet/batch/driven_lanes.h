@@ -13,7 +13,7 @@ inline namespace POLHODE_PRECISION {
 struct Batch;
 struct StepContext;
 
-/// What a batch of bodies that have a Drive keeps beside others. Bodies with and without one are never in the same
+/// The numbers that a batch keeps of bodies that have a Drive. Bodies with and without one are never in the same
 /// batch, so that the latter pay nothing.
 struct DrivenLanes {
   std::array<Drive*, kLanes> drives{};  ///< null in a hole; SchemeChoices holds them

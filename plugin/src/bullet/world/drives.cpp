@@ -49,7 +49,7 @@ Drive& WorldStepper::make_drive(btRigidBody& body) {
 
 void WorldStepper::drop_idle_drive(btRigidBody& body) {
   const Drive* const drive = choices_.treatment_of(body).drive;
-  if (drive == nullptr || drive->acts() || !drive->rotor_momentum_B.isZero(0.0)) return;
+  if (drive == nullptr || drive->law != nullptr || drive->has_rotors()) return;
   change_drive(body, nullptr);
   choices_.set_drive(body, nullptr);
 }

@@ -52,10 +52,6 @@ SchemePointer require_scheme(SchemePointer scheme) {
   return scheme;
 }
 
-bool has_rotors(const Drive* drive) {
-  return drive != nullptr && !(drive->rotor_momentum_B.isZero(0.0) && drive->rotor_torque_B.isZero(0.0));
-}
-
 void require_takes_rotors(const RotationScheme& scheme) {
   if (scheme.description().takes_rotors) return;
   std::string valid;
@@ -74,8 +70,7 @@ SchemePointer require_to_be_rotated(const WorldStepper& stepper, const btRigidBo
   if (body.isStaticObject() || scheme == nullptr) {
     throw std::invalid_argument(
         "torque laws and rotors are for bodies that a scheme rotates: this one is static, was released, or "
-        "the "
-        "world has no default scheme");
+        "the world has no default scheme");
   }
   return scheme;
 }
@@ -86,7 +81,8 @@ void require_finite(const Vector3& v, const std::string& name) {
 
 void set_scheme_of(WorldStepper& stepper, btRigidBody& body, SchemePointer scheme) {
   scheme = require_scheme(std::move(scheme));
-  if (has_rotors(stepper.treatment_of(body).drive)) require_takes_rotors(*scheme);
+  const Drive* const drive = stepper.treatment_of(body).drive;
+  if (drive != nullptr && drive->has_rotors()) require_takes_rotors(*scheme);
   stepper.choose(body, std::move(scheme));
 }
 
@@ -161,7 +157,7 @@ void RotationControl::set_default_scheme(std::string_view name) {
 void RotationControl::set_default_scheme(SchemePointer scheme) {
   scheme = require_scheme(std::move(scheme));
   stepper_->choices().for_each_drive_with_default_scheme([&scheme](const Drive& drive) {
-    if (has_rotors(&drive)) require_takes_rotors(*scheme);
+    if (drive.has_rotors()) require_takes_rotors(*scheme);
   });
   stepper_->set_default_scheme(std::move(scheme));
 }
