@@ -1,7 +1,9 @@
 #include <polhode/bullet/precision.h>
+#include <polhode/version.h>
 
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 #include "consumer.h"
 
@@ -13,6 +15,9 @@ void require(bool condition, const char* text, const char* file, int line) {
 
 int main() {
   polhode::require_matching_bullet();
+  // POLHODE_PACKAGE_VERSION is what the package file says, CMake's or pkg-config's.
+  REQUIRE(std::string(polhode::version()) == POLHODE_PACKAGE_VERSION);
+  REQUIRE(std::string(POLHODE_VERSION_STRING) == POLHODE_PACKAGE_VERSION);
   rotates_a_world_whose_callbacks_and_user_pointer_are_taken();
   rotates_a_body_by_a_scheme_of_the_application();
   std::printf("the consumer ran in %d bits\n", static_cast<int>(8 * sizeof(btScalar)));
