@@ -38,7 +38,7 @@ const Contender& find_contender(const std::vector<Contender>& all, const std::st
 
 std::vector<Contender> all_contenders() {
   std::vector<Contender> all;
-  for (const SchemePointer& scheme : built_in_schemes()) {
+  for (const SchemePointer& scheme : all_schemes()) {
     const SchemeDescription description = scheme->description();
     all.push_back({std::string(description.name), std::string(description.summary), scheme});
   }

@@ -16,6 +16,18 @@ std::string_view to_string(Conservation conservation) {
   return "not";
 }
 
+std::string_view to_string(TurnVelocity turn_velocity) {
+  switch (turn_velocity) {
+    case TurnVelocity::start:
+      return "start";
+    case TurnVelocity::end:
+      return "end";
+    case TurnVelocity::mean:
+      break;
+  }
+  return "mean";
+}
+
 std::string order_text(std::optional<int> order) {
   return order ? std::to_string(*order) : "exact";
 }

@@ -29,6 +29,10 @@ void require_finite(const Vector3& v, const std::string& name) {
 
 }  // namespace
 
+std::string_view to_string(TorqueLawOrder order) {
+  return order == TorqueLawOrder::four ? "four" : "two";
+}
+
 TorqueLaw gravity_gradient(double mu, const Vector3& centre_W) {
   require(std::isfinite(mu) && mu > 0.0, "the gravitational parameter", text(mu), "a finite number above 0");
   require_finite(centre_W, "the planet's centre");

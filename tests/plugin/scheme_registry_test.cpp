@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <memory>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 namespace polhode {
 namespace {
@@ -52,6 +57,80 @@ TEST(SchemeRegistry, UnknownNameIsRefusedWithTheValidOnes) {
 
 TEST(SchemeRegistry, TheDefaultIsOneOfThem) {
   EXPECT_EQ(find_scheme(default_scheme()->description().name), default_scheme());
+}
+
+class NamedScheme final : public RotationScheme {
+ public:
+  explicit NamedScheme(std::string name) : name_(std::move(name)) {}
+  SchemeDescription description() const noexcept override {
+    return {name_, "stands still", "this test", "anything turns"};
+  }
+  void step(const StepInput& /*input*/, RotationState& /*state*/) const noexcept override {}
+
+ private:
+  std::string name_;
+};
+
+std::string refusal_of(SchemePointer scheme) {
+  try {
+    register_scheme(std::move(scheme));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "registered";
+}
+
+TEST(RegisteredScheme, IsFoundByItsName) {
+  const auto scheme = std::make_shared<NamedScheme>("registered_1");
+  register_scheme(scheme);
+  EXPECT_EQ(find_scheme("registered_1"), scheme);
+  EXPECT_THAT(scheme_names(), HasSubstr(", registered_1"));
+  EXPECT_EQ(all_schemes().front(), built_in_schemes().front());
+}
+
+TEST(RegisteredScheme, ReplacesTheOneOfItsNameInItsPlace) {
+  const auto first = std::make_shared<NamedScheme>("replaced");
+  register_scheme(first);
+  register_scheme(std::make_shared<NamedScheme>("after_replaced"));
+  const std::vector<SchemePointer> before = all_schemes();
+  const auto second = std::make_shared<NamedScheme>("replaced");
+  register_scheme(second);
+  EXPECT_EQ(find_scheme("replaced"), second);
+  const std::vector<SchemePointer> after = all_schemes();
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i)
+    EXPECT_EQ(after[i], before[i] == first ? second : before[i]) << i;
+  EXPECT_EQ(first.use_count(), 2);  // `before` has it, the registry no longer
+}
+
+TEST(RegisteredScheme, CannotTakeTheNameOfABuiltInOne) {
+  EXPECT_THAT(refusal_of(std::make_shared<NamedScheme>("exact")),
+              HasSubstr("\"exact\" is built in: register yours under another name"));
+  EXPECT_EQ(find_scheme("exact"), default_scheme());
+}
+
+TEST(RegisteredScheme, NeedsANameThatCommandLinesAndFilesTake) {
+  for (const char* name : {"", "Upper", "with space", "bullet:mine", "1st", "_x", "tab\t", "\xc3\xa9"}) {
+    EXPECT_THAT(refusal_of(std::make_shared<NamedScheme>(name)),
+                HasSubstr("valid are small letters, digits and underscores, a letter first"))
+        << name;
+  }
+  EXPECT_THAT(refusal_of(nullptr), HasSubstr("null pointer"));
+}
+
+TEST(RegisteredScheme, MayComeFromAnyThread) {
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([thread] {
+      for (int i = 0; i < 200; ++i) {
+        const std::string name = "thread_" + std::to_string(thread);
+        const auto scheme = std::make_shared<NamedScheme>(name);
+        register_scheme(scheme);
+        EXPECT_EQ(find_scheme(name), scheme);
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
 }
 
 // Markdown takes a bare | for the end of the cell.

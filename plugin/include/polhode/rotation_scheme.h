@@ -15,6 +15,7 @@ enum class Conservation {
   lost,     ///< the error grows with time
 };
 
+/// "exactly", "boundedly" or "not".
 std::string_view to_string(Conservation conservation);
 
 /// Returns the order as text: "2", or "exact" for a motion without error.
@@ -32,7 +33,10 @@ enum class TurnVelocity {
   mean,
 };
 
-/// Describes a scheme in its own words. Tests check every line of it against measurements.
+/// "start", "end" or "mean".
+std::string_view to_string(TurnVelocity turn_velocity);
+
+/// Describes a scheme in its own words. The texts are valid as long as the scheme is: literals, or strings that it holds.
 struct SchemeDescription {
   std::string_view name;        ///< as in `set_scheme("name")`, whole words in snake_case
   std::string_view summary;     ///< one line

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 
 #include "polhode/rotation_state.h"
 
@@ -78,5 +79,8 @@ enum class TorqueLawOrder {
   /// Six times a step, two to four times as often if the torque depends on the velocity.
   four = 4,
 };
+
+/// "two" or "four".
+std::string_view to_string(TorqueLawOrder order);
 
 }  // namespace polhode

@@ -222,14 +222,15 @@ class UnknownScheme final : public RotationScheme {
   const char* name_;
 };
 
-TYPED_TEST(HostileSnapshot, OfASchemeThatIsNotBuiltInWantsTheBodyToHaveIt) {
+TYPED_TEST(HostileSnapshot, OfAnUnknownSchemeWantsTheBodyToHaveIt) {
   RotationControl& rotation = this->way.rotation();
   rotation.set_scheme(*this->box, std::make_shared<UnknownScheme>("mine"));
   this->way.step(kStep);
   const Snapshot snapshot = rotation.save(*this->box);
   rotation.restore(*this->box, snapshot);
   rotation.set_scheme(*this->box, "exact");
-  EXPECT_THAT(this->refusal_of_body(snapshot), HasSubstr("the scheme \"mine\", which is not built in"));
+  EXPECT_THAT(this->refusal_of_body(snapshot),
+              HasSubstr("the scheme \"mine\", which is unknown: register it"));
   // Another object of the name will do.
   rotation.set_scheme(*this->box, std::make_shared<UnknownScheme>("mine"));
   EXPECT_EQ(this->refusal_of_body(snapshot), "restored");

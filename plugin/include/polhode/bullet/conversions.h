@@ -1,11 +1,13 @@
 #pragma once
 
-#include <LinearMath/btMatrix3x3.h>
+#include <LinearMath/btTransform.h>
 
 #include "polhode/bullet/precision.h"
 #include "polhode/rotation_state.h"
 
-/// Converts between Bullet's types, in its precision, and ours. The conversion from Bullet loses nothing.
+/// Converts between Bullet's types, in its precision, and Eigen's in double. The conversion from Bullet loses nothing;
+/// the one to Bullet rounds to its precision. Mind the order: btQuaternion's constructor takes x, y, z, w, Eigen's
+/// w, x, y, z.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -16,6 +18,18 @@ inline Vector3 to_double(const btVector3& v) {
 inline Matrix3 to_double(const btMatrix3x3& m) {
   Matrix3 result;
   for (int row = 0; row < 3; ++row) result.row(row) = to_double(m[row]).transpose();
+  return result;
+}
+
+inline Quaternion to_double(const btQuaternion& q) {
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
+/// The basis is copied as it is, also one that is no rotation.
+inline Eigen::Isometry3d to_double(const btTransform& transform) {
+  Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+  result.linear() = to_double(transform.getBasis());
+  result.translation() = to_double(transform.getOrigin());
   return result;
 }
 
@@ -35,6 +49,15 @@ inline btMatrix3x3 to_bullet(const Matrix3& m) {
   btMatrix3x3 result;
   to_bullet(m, result);
   return result;
+}
+
+inline btQuaternion to_bullet(const Quaternion& q) {
+  return {static_cast<btScalar>(q.x()), static_cast<btScalar>(q.y()), static_cast<btScalar>(q.z()),
+          static_cast<btScalar>(q.w())};
+}
+
+inline btTransform to_bullet(const Eigen::Isometry3d& pose) {
+  return btTransform(to_bullet(Matrix3(pose.linear())), to_bullet(Vector3(pose.translation())));
 }
 
 /// Returns the rotation that a Bullet basis represents.

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string_view>
 
 #include "polhode/bullet/precision.h"
 
@@ -19,6 +20,9 @@ enum class IncidentKind : std::uint8_t {
   /// step went on without it.
   torque_law_failed,
 };
+
+/// "scheme diverged", "non-finite body" or "torque law failed".
+std::string_view to_string(IncidentKind kind);
 
 struct Incident {
   IncidentKind kind;

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "polhode/bullet/incident.h"
 #include "polhode/bullet/precision.h"
@@ -36,6 +37,19 @@ struct BodyRotation {
 enum class RotorChange : std::uint8_t {
   by_motor,      ///< a motor inside the body: L_W stays, and the body's velocity changes
   from_outside,  ///< the body's velocity stays, and L_W changes
+};
+
+/// "by motor" or "from outside".
+std::string_view to_string(RotorChange change);
+
+/// What is set for a body: how it is rotated while it is dynamic and in the world.
+struct BodySettings {
+  SchemePointer scheme;         ///< null: Bullet rotates it
+  bool has_own_choice = false;  ///< set by set_scheme or release; false: as the world's default says
+  TorqueLaw torque_law;         ///< empty: none
+  TorqueLawOrder torque_law_order = TorqueLawOrder::two;
+  Vector3 rotor_momentum_B = Vector3::Zero();  ///< kg m^2/s, at present
+  Vector3 rotor_torque_B = Vector3::Zero();    ///< of the motors, N m
 };
 
 class WorldStepper;
@@ -77,6 +91,8 @@ class RotationControl {
   void set_default_scheme(SchemePointer scheme);
   /// Removes the default scheme: from now on the library rotates only bodies with a scheme of their own.
   void clear_default_scheme();
+  /// Null if the world has none.
+  SchemePointer default_scheme() const;
 
   /// Rotates the body by this scheme from the next step on, starting afresh from its present pose and
   /// velocity (a diverged body too). `body` may be a collider of a multibody.
@@ -92,6 +108,10 @@ class RotationControl {
   /// Gives the body back to Bullet, which rotates it again.
   void release(btCollisionObject& body);
   void release(btMultiBody& multibody);
+  /// Returns what is set for the body, in the world or not, by the functions above and below.
+  /// @throws std::invalid_argument as set_scheme, but static bodies have settings too.
+  BodySettings settings_of(const btCollisionObject& body) const;
+  BodySettings settings_of(const btMultiBody& multibody) const;
   /// @}
 
   /// @name What drives a body
@@ -130,7 +150,11 @@ class RotationControl {
   /// @throws std::invalid_argument if the body is not managed.
   BodyRotation rotation_of(const btRigidBody& body) const;
   BodyRotation rotation_of(const btMultiBody& multibody) const;
+  /// Returns how many bodies the library rotates, multibodies among them.
   std::size_t managed_bodies() const;
+  /// Returns those bodies, in the order of the world's lists: what `manages` is true of.
+  std::vector<btRigidBody*> managed_rigid_bodies() const;
+  std::vector<btMultiBody*> managed_multibodies() const;
 
   /// Sets the double state of a managed body: its next step goes on from exactly these, where Bullet's
   /// setters would round them in a single-precision world. L_W follows, and R_WB is q_WB's matrix. Pose,

@@ -71,11 +71,12 @@ std::size_t memory_rows_of(const RotationScheme& scheme) {
 
 SchemePointer find_by_name(const std::string& name, const SchemePointer& present) {
   if (present != nullptr && present->description().name == name) return present;
-  for (const SchemePointer& scheme : built_in_schemes()) {
+  for (const SchemePointer& scheme : all_schemes()) {
     if (scheme->description().name == name) return scheme;
   }
   refuse_snapshot("its body is rotated by the scheme \"" + name +
-                  "\", which is not built in: give the body that scheme first (set_scheme). Built in are " +
+                  "\", which is unknown: register it (register_scheme), or give the body that scheme first "
+                  "(set_scheme). Known are " +
                   scheme_names());
 }
 

@@ -35,6 +35,18 @@ void tell_of(BodyGroup& group, std::size_t index, IncidentKind kind, const Incid
 
 }  // namespace
 
+std::string_view to_string(IncidentKind kind) {
+  switch (kind) {
+    case IncidentKind::scheme_diverged:
+      return "scheme diverged";
+    case IncidentKind::non_finite_body:
+      return "non-finite body";
+    case IncidentKind::torque_law_failed:
+      break;
+  }
+  return "torque law failed";
+}
+
 void forget_contacts_of_sanitized(const BodyGroup& group, btDispatcher& dispatcher) {
   for (std::size_t i = 0; i < group.registry.bodies().size(); ++i) {
     const BodyRegistry::Lane place = group.registry.lane_at(i);

@@ -65,6 +65,11 @@ MultibodyProxy& Multibodies::proxy_of(btMultiBody& multibody) {
   return *known_.emplace(&multibody, Known{std::move(proxy)}).first->second.proxy;
 }
 
+const btRigidBody* Multibodies::known_proxy_of(const btMultiBody& multibody) const {
+  const auto found = known_.find(&multibody);
+  return found == known_.end() ? nullptr : &found->second.proxy->body();
+}
+
 void Multibodies::world_is_gone() noexcept {
   world_ = nullptr;
   synchronize();

@@ -29,6 +29,8 @@ class Multibodies {
   /// The proxy of a multibody in the world or not, made if there is none.
   /// @throws std::bad_alloc
   MultibodyProxy& proxy_of(btMultiBody& multibody);
+  /// Null if it has none.
+  const btRigidBody* known_proxy_of(const btMultiBody& multibody) const;
   void world_is_gone() noexcept;
 
   /// The bodies of the proxies, in the order of the world's list.

@@ -20,7 +20,7 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-btMultiBody& require_one_body(btMultiBody& multibody) {
+void require_turns_as_one_body(const btMultiBody& multibody) {
   if (multibody.hasFixedBase() || !is_finalized(multibody)) {
     throw std::invalid_argument(
         "this btMultiBody does not turn: its base is fixed, or it has not been through finalizeMultiDof");
@@ -30,18 +30,27 @@ btMultiBody& require_one_body(btMultiBody& multibody) {
         "a btMultiBody with links that move cannot be rotated by a scheme: they turn each other, and Bullet "
         "turns them all; one without links, or with fixed ones only, can");
   }
+}
+
+btMultiBody& require_one_body(btMultiBody& multibody) {
+  require_turns_as_one_body(multibody);
   return multibody;
 }
 
-// Returns the body that stands for the object in the choices.
-btRigidBody& require_body(WorldStepper& stepper, btCollisionObject& object) {
-  if (btRigidBody* const body = btRigidBody::upcast(&object)) return *body;
+// Returns the multibody of an object that is no rigid body.
+btMultiBody& require_multibody_of(const btCollisionObject& object) {
   const btMultiBodyLinkCollider* const collider = btMultiBodyLinkCollider::upcast(&object);
   if (collider == nullptr || collider->m_multiBody == nullptr) {
     throw std::invalid_argument(
         "only a btRigidBody or a btMultiBody can be rotated by a scheme; this collision object is neither");
   }
-  return stepper.proxy_of(require_one_body(*collider->m_multiBody));
+  return require_one_body(*collider->m_multiBody);
+}
+
+// Returns the body that stands for the object in the choices.
+btRigidBody& require_body(WorldStepper& stepper, btCollisionObject& object) {
+  if (btRigidBody* const body = btRigidBody::upcast(&object)) return *body;
+  return stepper.proxy_of(require_multibody_of(object));
 }
 
 SchemePointer require_scheme(SchemePointer scheme) {
@@ -55,10 +64,10 @@ SchemePointer require_scheme(SchemePointer scheme) {
 void require_takes_rotors(const RotationScheme& scheme) {
   if (scheme.description().takes_rotors) return;
   std::string valid;
-  for (const SchemePointer& built_in : built_in_schemes()) {
-    if (!built_in->description().takes_rotors) continue;
+  for (const SchemePointer& known : all_schemes()) {
+    if (!known->description().takes_rotors) continue;
     if (!valid.empty()) valid += ", ";
-    valid += built_in->description().name;
+    valid += known->description().name;
   }
   throw std::invalid_argument("the scheme '" + std::string(scheme.description().name) +
                               "' takes no rotors inside a body: valid are " + valid);
@@ -120,6 +129,19 @@ void set_rotor_torque_of(WorldStepper& stepper, btRigidBody& body, const Vector3
   stepper.drop_idle_drive(body);
 }
 
+BodySettings settings(const SchemeChoices& choices, const btRigidBody& body) {
+  const Treatment treatment = choices.treatment_of(body);
+  BodySettings result;
+  result.scheme = treatment.scheme;
+  result.has_own_choice = choices.has_own_choice(body);
+  if (treatment.drive == nullptr) return result;
+  result.torque_law = treatment.drive->law;
+  result.torque_law_order = treatment.drive->order;
+  result.rotor_momentum_B = treatment.drive->rotor_momentum_B;
+  result.rotor_torque_B = treatment.drive->rotor_torque_B;
+  return result;
+}
+
 const BodyRegistry::Lane& require_managed(const BodyRegistry::Lane& place) {
   if (place.batch == nullptr) {
     throw std::invalid_argument(
@@ -146,6 +168,10 @@ Quaternion require_orientation(const Quaternion& q_WB) {
 
 }  // namespace
 
+std::string_view to_string(RotorChange change) {
+  return change == RotorChange::by_motor ? "by motor" : "from outside";
+}
+
 RotationControl::RotationControl(btDynamicsWorld& world) : stepper_(std::make_unique<WorldStepper>(world)) {}
 
 RotationControl::~RotationControl() = default;
@@ -164,6 +190,10 @@ void RotationControl::set_default_scheme(SchemePointer scheme) {
 
 void RotationControl::clear_default_scheme() {
   stepper_->set_default_scheme(nullptr);
+}
+
+SchemePointer RotationControl::default_scheme() const {
+  return stepper_->choices().default_scheme;
 }
 
 void RotationControl::set_scheme(btCollisionObject& body, std::string_view name) {
@@ -201,6 +231,21 @@ void RotationControl::release(btCollisionObject& body) {
 
 void RotationControl::release(btMultiBody& multibody) {
   stepper_->choose(stepper_->proxy_of(require_one_body(multibody)), nullptr);
+}
+
+BodySettings RotationControl::settings_of(const btCollisionObject& body) const {
+  if (const btRigidBody* const rigid_body = btRigidBody::upcast(&body))
+    return settings(stepper_->choices(), *rigid_body);
+  return settings_of(require_multibody_of(body));
+}
+
+BodySettings RotationControl::settings_of(const btMultiBody& multibody) const {
+  require_turns_as_one_body(multibody);
+  if (const btRigidBody* const proxy = stepper_->known_proxy_of(multibody))
+    return settings(stepper_->choices(), *proxy);
+  BodySettings result;
+  result.scheme = stepper_->choices().default_scheme;
+  return result;
 }
 
 void RotationControl::set_torque_law(btCollisionObject& body, TorqueLaw law, TorqueLawOrder order) {
@@ -274,6 +319,14 @@ BodyRotation RotationControl::rotation_of(const btMultiBody& multibody) const {
 
 std::size_t RotationControl::managed_bodies() const {
   return stepper_->managed_bodies();
+}
+
+std::vector<btRigidBody*> RotationControl::managed_rigid_bodies() const {
+  return stepper_->managed_rigid_bodies();
+}
+
+std::vector<btMultiBody*> RotationControl::managed_multibodies() const {
+  return stepper_->managed_multibodies();
 }
 
 void RotationControl::set_rotation(btRigidBody& body, const Quaternion& q_WB, const Vector3& omega_W) {

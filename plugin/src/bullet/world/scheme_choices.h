@@ -53,6 +53,12 @@ class SchemeChoices {
     return {scheme, scheme == nullptr ? nullptr : choice->drive.get()};
   }
 
+  /// Returns whether `choose` said how the body is rotated; else it is the default.
+  bool has_own_choice(const btRigidBody& body) const {
+    const Choice* const choice = find(body);
+    return choice != nullptr && choice->has_scheme;
+  }
+
   /// Calls function(drive) for those of bodies that have the default scheme.
   template <class Function>
   void for_each_drive_with_default_scheme(const Function& function) const {

@@ -150,55 +150,6 @@ void WorldStepper::restart(btRigidBody& body, const SchemePointer& scheme) {
   of_multibodies_.registry.restart(body, treatment);
 }
 
-bool WorldStepper::is_in_world(const btRigidBody& body) const {
-  if (world_ == nullptr || !claim_.holds()) return false;
-  const int index = body.getWorldArrayIndex();
-  const btCollisionObjectArray& objects = world_->getCollisionObjectArray();
-  return index >= 0 && index < objects.size() && objects[index] == &body;
-}
-
-BodyRegistry::Lane WorldStepper::find(const btRigidBody& body) {
-  if (body.isStaticOrKinematicObject() || !is_in_world(body)) return {nullptr, 0};
-  const BodyRegistry::Lane known = rigid_.registry.find(body, choices_);
-  if (known.batch != nullptr) return known;
-  synchronize();
-  return rigid_.registry.find(body, choices_);
-}
-
-BodyRegistry::Lane WorldStepper::find(const btMultiBody& multibody) {
-  if (world_ == nullptr || !claim_.holds() || multibody.isBaseStaticOrKinematic()) return {nullptr, 0};
-  if (!multibodies_.has(multibody)) synchronize();
-  const int index = multibodies_.index_of(multibody);
-  if (index < 0) return {nullptr, 0};
-  MultibodyProxy& proxy = multibodies_[static_cast<std::size_t>(index)];
-  proxy.read();
-  return of_multibodies_.registry.find(proxy.body(), choices_);
-}
-
-BodyRegistry::Lane WorldStepper::lane_of(const btRigidBody& body) {
-  if (!is_in_world(body)) return {nullptr, 0};
-  return rigid_.registry.find(body, choices_);
-}
-
-bool WorldStepper::is_within_step() const {
-  for (const Batch* batch : rigid_.registry.batches()) {
-    if (batch->begun.any()) return true;
-  }
-  return false;
-}
-
-std::size_t WorldStepper::managed_bodies() {
-  if (world_ == nullptr || !claim_.holds()) return 0;
-  synchronize();
-  std::size_t count = 0;
-  for (const BodyGroup* group : {&rigid_, &of_multibodies_}) {
-    const BodyRegistry& registry = group->registry;
-    for (std::size_t i = 0; i < registry.bodies().size(); ++i)
-      count += registry.lane_at(i).batch != nullptr && !group->is_static_or_kinematic(i) ? 1 : 0;
-  }
-  return count;
-}
-
 BulletTurn* WorldStepper::bullet_of_this_thread() noexcept {
   static std::mutex one_at_a_time;  // a btRigidBody in there: its constructor counts bodies
   std::unique_ptr<BulletTurn>& bullet = bullet_of_threads_[btGetCurrentThreadIndex()];

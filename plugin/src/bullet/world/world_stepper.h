@@ -58,7 +58,13 @@ class WorldStepper {
   bool is_within_step() const;
   /// The body that stands for it in choose and choose_default.
   btRigidBody& proxy_of(btMultiBody& multibody) { return multibodies_.proxy_of(multibody).body(); }
+  /// Null if nothing was chosen for the multibody and it was not seen in the world.
+  const btRigidBody* known_proxy_of(const btMultiBody& multibody) const {
+    return multibodies_.known_proxy_of(multibody);
+  }
   std::size_t managed_bodies();
+  std::vector<btRigidBody*> managed_rigid_bodies();
+  std::vector<btMultiBody*> managed_multibodies();
   /// @throws std::logic_error if the world is gone.
   btDiscreteDynamicsWorld& world() const;
   double time_s = 0.0;  ///< of torque laws
@@ -86,6 +92,9 @@ class WorldStepper {
  private:
   using Bodies = btAlignedObjectArray<btRigidBody*>;
 
+  /// Calls function(index) for each body of the group that the library rotates.
+  template <class Function>
+  void for_each_managed(BodyGroup& group, const Function& function);
   Bodies& bodies() { return world_->getNonStaticRigidBodies(); }
   /// Takes the memory that a step of all these bodies wants, but for what the first one in a joint or a
   /// contact takes.
