@@ -5,8 +5,7 @@
 #include <cstdio>
 
 int main() {
-  // An ordinary Bullet world. Whatever an object uses is declared before it, so that it is destroyed after
-  // it.
+  // An ordinary Bullet world. Objects are declared before those that use them, and so destroyed after them.
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broadphase;
@@ -28,10 +27,10 @@ int main() {
   world.addRigidBody(&ground);
   world.addRigidBody(&plate);
 
-  // From here on Polhode rotates every dynamic body of this world, by its scheme without error; they fall,
-  // collide and slide as before. plugin.rotation() chooses other schemes, for one body or for all. Declared
-  // after the world, the plugin lets go of it first.
-  const polhode::RotationPlugin plugin(world);
+  // From here on Polhode rotates every dynamic body of this world by its default scheme, `exact`. The bodies fall, collide
+  // and slide as before. To choose another scheme for one body:
+  //   plugin.rotation().set_scheme(plate, "quaternion");
+  polhode::RotationPlugin plugin(world);
 
   for (int step = 0; step <= 180; ++step) {
     if (step % 15 == 0) {

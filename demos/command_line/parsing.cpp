@@ -7,6 +7,7 @@
 
 #include "command_line/program.h"
 #include "record/output_file.h"
+#include "record/scheme_library.h"
 #include "scenario/number_text.h"
 #include "scenario/printable_text.h"
 
@@ -83,6 +84,17 @@ bool parse(CLI::App& app, int argument_count, char** arguments) {
     throw std::invalid_argument(std::string(error.what()) + "; " + valid_words(app));
   }
   return true;
+}
+
+void add_scheme_library_option(CLI::App& app) {
+  app.add_option_function<std::vector<std::string>>(
+         "--scheme-library",
+         [](const std::vector<std::string>& files) {
+           for (const std::string& file : files) load_scheme_library(file);
+         },
+         "Load schemes of your own (polhode/scheme_library.h); repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
 }
 
 double option_number(const std::string& option, const std::string& text, const Range& range) {

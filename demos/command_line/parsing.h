@@ -16,6 +16,9 @@ namespace polhode::demos {
 /// @throws std::invalid_argument that says what is wrong and which options, or subcommands, are valid
 bool parse(CLI::App& app, int argument_count, char** arguments);
 
+/// Adds --scheme-library, repeatable. Its schemes are registered while the command line is parsed.
+void add_scheme_library_option(CLI::App& app);
+
 /// An option's number. Not left to CLI11, which reads numbers as the locale writes them.
 /// @throws std::invalid_argument
 double option_number(const std::string& option, const std::string& text, const Range& range);

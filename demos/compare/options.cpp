@@ -27,9 +27,11 @@ std::optional<Options> parse_options(int argument_count, char** arguments) {
       ->type_name("NAME|FILE.json")
       ->capture_default_str();
   app.add_option("--contender", options.contenders,
-                 "A name from --list; repeatable (default: exact, the handout's, Bullet's)")
+                 "A name from --list; repeatable (default: exact, the handout's, those of scheme libraries, "
+                 "Bullet's)")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  add_scheme_library_option(app);
   app.add_option("--dt", dt, "Length of a step, in place of the scenario's")->type_name("SECONDS");
   app.add_option("--duration", duration, "Length of the run, in place of the scenario's")
       ->type_name("SECONDS");

@@ -50,6 +50,9 @@ std::vector<Contender> all_contenders() {
 std::vector<Contender> default_contenders() {
   std::vector<std::string> names = {"exact", "matrix", "quaternion", "semi_implicit_gyroscopic",
                                     "implicit_gyroscopic"};
+  const std::vector<SchemePointer> all = all_schemes();
+  for (std::size_t i = built_in_schemes().size(); i < all.size(); ++i)
+    names.emplace_back(all[i]->description().name);
   for (const Contender& mode : bullet_modes()) names.push_back(mode.name);
   return find_contenders(names);
 }

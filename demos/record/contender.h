@@ -23,10 +23,10 @@ struct Contender {
   std::variant<SchemePointer, BulletMode, BulletMultibody> method;
 };
 
-/// Returns every registered scheme, then Bullet's modes, then Bullet's multibody.
+/// Returns every scheme, built in or registered, then Bullet's modes, then Bullet's multibody.
 std::vector<Contender> all_contenders();
 
-/// `exact`, the handout's four schemes and Bullet's modes.
+/// `exact`, the handout's four schemes, those that were registered, and Bullet's modes.
 std::vector<Contender> default_contenders();
 
 /// Returns the contenders of these names, in this order.

@@ -31,7 +31,9 @@ using Texts = std::vector<std::string>;
 class Subcommand {
  public:
   Subcommand(CLI::App& app, const std::string& name, const std::string& summary)
-      : app_(*app.add_subcommand(name, summary)) {}
+      : app_(*app.add_subcommand(name, summary)) {
+    add_scheme_library_option(app_);
+  }
 
   CLI::App& app() { return app_; }
   bool chosen() const { return app_.parsed(); }
@@ -64,10 +66,12 @@ class Subcommand {
   }
 
   void contenders(const std::string& names, std::vector<Contender>& value) {
-    value = all_contenders();
     add(names, "NAME", "A scheme or a mode of Bullet's; repeatable (default: all)",
         [&value](const Texts& texts) { value = find_contenders(texts); })
         ->allow_extra_args(false);
+    checks_.emplace_back([&value] {
+      if (value.empty()) value = all_contenders();  // now, when scheme libraries are loaded
+    });
   }
 
   void schemes(std::vector<Contender>& value) {

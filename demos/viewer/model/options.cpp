@@ -33,9 +33,11 @@ void add_options(CLI::App& app, ViewerOptions& options, NumberTexts& texts) {
   app.add_option("--scenario", options.scenario, "A name that polhode_compare --list shows, or a .json file")
       ->type_name("NAME|FILE.json")
       ->capture_default_str();
-  app.add_option("--contender", options.contenders, "Repeatable (default: exact, the handout's, Bullet's)")
+  app.add_option("--contender", options.contenders,
+                 "Repeatable (default: exact, the handout's, those of scheme libraries, Bullet's)")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  add_scheme_library_option(app);
   app.add_option("--dt", texts.dt, "Length of a step, in place of the scenario's")->type_name("SECONDS");
   app.add_option("--speed", texts.speed, "Simulated time per real time (default: 1)")->type_name("FACTOR");
   app.add_option("--at", texts.at, "Open at that time (default: 0)")->type_name("SECONDS");

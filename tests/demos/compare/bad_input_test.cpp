@@ -52,8 +52,8 @@ TEST_P(BadInputOfCompare, IsRefusedInOneLineWithNoFileLeft) {
 const std::string kDt = "--dt: must be a finite number between 1e-06 and 1000, is ";
 const std::string kDuration = "--duration: must be a finite number between 1e-06 and 1e+11, is ";
 const std::string kOptions =
-    "valid options are -h,--help, --version, --list, --scenario, --contender, --dt, --duration, --csv, "
-    "--json, --report";
+    "valid options are -h,--help, --version, --list, --scenario, --contender, --scheme-library, --dt, "
+    "--duration, --csv, --json, --report";
 const std::string kFile = "valid is a file in an existing, writable directory";
 
 const BadInput kBadInputs[] = {

@@ -42,7 +42,9 @@ const std::string kFile = "valid is a file in an existing, writable directory";
 const BadOptions kBadOptions[] = {
     {"nothing", {}, "valid subcommands are curve, cost, map, joints"},
     {"unknown_subcommand", {"graph"}, "valid subcommands are curve, cost, map, joints"},
-    {"unknown_option", {"cost", "--frobnicate"}, "valid options are -h,--help, --inertia, --omega"},
+    {"unknown_option",
+     {"cost", "--frobnicate"},
+     "valid options are -h,--help, --scheme-library, --inertia, --omega"},
     {"unknown_contender", {"cost", "--contender", "cubic"}, "unknown contender \"cubic\"; valid are "},
     {"terminal_escapes",
      {"cost", "--contender", "\x1b[2J\u202e\xff\n"},
