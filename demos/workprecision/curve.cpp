@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include "command_line/progress_bar.h"
+#include "oracle/free_top.h"
 #include "scenario/named_error.h"
 #include "scenario/scenario_directory.h"
 #include "scenario/start_motion.h"
-#include "support/oracle/free_top.h"
 #include "workprecision/curve_text.h"
 #include "workprecision/motion.h"
 #include "workprecision/output_files.h"

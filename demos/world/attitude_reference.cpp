@@ -1,7 +1,7 @@
 #include "world/attitude_reference.h"
 
-#include "support/oracle/free_top.h"
-#include "support/oracle/taylor_top.h"
+#include "oracle/free_top.h"
+#include "oracle/taylor_top.h"
 #include "world/scenario_world.h"
 
 namespace polhode::demos {

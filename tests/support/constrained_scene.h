@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "oracle/heavy_top.h"
 #include "support/motion.h"
-#include "support/oracle/heavy_top.h"
 #include "support/scene.h"
 #include "support/uniform.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "demos/scenario_file.h"
+#include "oracle/heavy_top.h"
 #include "scenario/start_motion.h"
-#include "support/oracle/heavy_top.h"
 
 namespace polhode::demos {
 namespace {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "oracle/free_top.h"
 #include "support/both_ways.h"
 #include "support/motion.h"
-#include "support/oracle/free_top.h"
 #include "support/precision.h"
 #include "support/random_body.h"
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "oracle/free_top.h"
 #include "polhode/bullet/conversions.h"
 #include "support/both_ways.h"
 #include "support/multibody_scene.h"
-#include "support/oracle/free_top.h"
 #include "support/precision.h"
 #include "support/same_bits.h"
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "oracle/taylor_top.h"
 #include "polhode/rotation_math.h"
 #include "polhode/scheme_registry.h"
 #include "support/both_ways.h"
@@ -15,7 +16,6 @@
 #include "support/free_motion_reference.h"
 #include "support/motion.h"
 #include "support/multibody_scene.h"
-#include "support/oracle/taylor_top.h"
 #include "support/precision.h"
 #include "support/same_bits.h"
 

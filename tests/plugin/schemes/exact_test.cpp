@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "oracle/free_top.h"
 #include "polhode/scheme_registry.h"
 #include "support/free_motion_reference.h"
-#include "support/oracle/free_top.h"
 #include "support/random_body.h"
 #include "support/wide_batch.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
+#include "oracle/free_top.h"
 #include "polhode/scheme_registry.h"
 #include "support/free_motion_reference.h"
-#include "support/oracle/free_top.h"
 #include "support/random_body.h"
 
 namespace polhode {

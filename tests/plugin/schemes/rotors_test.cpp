@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "oracle/taylor_top.h"
 #include "polhode/rotation_math.h"
 #include "polhode/scheme_registry.h"
 #include "scheme_base/wide_scheme.h"
 #include "support/free_motion_reference.h"
-#include "support/oracle/taylor_top.h"
 #include "support/random_body.h"
 #include "support/same_bits.h"
 #include "support/wide_batch.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "support/oracle/polhode_curve.h"
+#include "oracle/polhode_curve.h"
 
 namespace polhode::oracle {
 

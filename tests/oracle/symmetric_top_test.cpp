@@ -1,4 +1,4 @@
-#include "support/oracle/symmetric_top.h"
+#include "oracle/symmetric_top.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "support/oracle/free_top_constants.h"
+#include "oracle/free_top_constants.h"
 
 #include <boost/math/special_functions/ellint_rf.hpp>
 
-#include "support/oracle/theta_series.h"
+#include "oracle/theta_series.h"
 
 namespace polhode::oracle {
 

@@ -25,12 +25,12 @@
 // Boost's jacobi_elliptic is no help here: it takes k, and 1 - k^2 is lost where the bodies get interesting.
 // So m and 1 - m are both formed from what they depend on, and K, K', s and u0 from both by the
 // arithmetic-geometric mean and Carlson's R_F, without a difference that could cancel.
-#include "support/oracle/free_top.h"
+#include "oracle/free_top.h"
 
 #include <stdexcept>
 
-#include "support/oracle/free_top_constants.h"
-#include "support/oracle/theta_series.h"
+#include "oracle/free_top_constants.h"
+#include "oracle/theta_series.h"
 
 namespace polhode::oracle {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "support/oracle/many_digits.h"
+#include "oracle/many_digits.h"
 
 /// The theta functions of the free top's Cayley-Klein parameters; free_top.cpp derives them.
 namespace polhode::oracle {

@@ -1,6 +1,6 @@
 // omega_B = L_B/transverse + L_3 (1/axial - 1/transverse) e_3, and L_3 is constant: Landau & Lifshitz,
 // section 33.
-#include "support/oracle/symmetric_top.h"
+#include "oracle/symmetric_top.h"
 
 #include <cmath>
 

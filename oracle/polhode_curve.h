@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "support/oracle/many_digits.h"
+#include "oracle/many_digits.h"
 
 /// The curve that L describes in the body, and the frame P that belongs to it; free_top.cpp has the formulas.
 namespace polhode::oracle {

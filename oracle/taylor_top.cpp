@@ -1,4 +1,4 @@
-#include "support/oracle/taylor_top.h"
+#include "oracle/taylor_top.h"
 
 #include <algorithm>
 #include <array>

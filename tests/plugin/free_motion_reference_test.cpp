@@ -1,7 +1,7 @@
-// The oracle against itself: its error is far below that of what it is held against.
-#include <gtest/gtest.h>
-
+// The reference against itself: its error is far below that of what it is held against.
 #include "support/free_motion_reference.h"
+
+#include <gtest/gtest.h>
 
 namespace polhode::testing {
 namespace {

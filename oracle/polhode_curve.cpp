@@ -1,4 +1,4 @@
-#include "support/oracle/polhode_curve.h"
+#include "oracle/polhode_curve.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "support/oracle/free_top.h"
+#include "oracle/free_top.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "support/oracle/symmetric_top.h"
-#include "support/oracle/taylor_top.h"
+#include "oracle/symmetric_top.h"
+#include "oracle/taylor_top.h"
 #include "support/random_body.h"
 
 namespace polhode::oracle {

@@ -1,4 +1,4 @@
-#include "support/oracle/heavy_top.h"
+#include "oracle/heavy_top.h"
 
 #include <gtest/gtest.h>
 
