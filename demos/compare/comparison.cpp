@@ -57,10 +57,12 @@ void run_all(const std::vector<Contender>& contenders, Files& files, Report& rep
   std::int64_t steps_before = 0;
   for (const Contender& contender : contenders) {
     SeriesRecorder series(*scenario.body.inertia_B, scenario.dt, steps, most_records(contenders.size()));
+    Sample start;
     const auto observe = [&](const Sample& sample) {
       throw_if_interrupted();
+      if (sample.step == 0) start = sample;
       progress.show(steps_before + sample.step, contender.name);
-      if (files.csv) files.csv->write(csv_row(contender.name, sample));
+      if (files.csv) files.csv->write(csv_row(contender.name, {sample, start, *scenario.body.inertia_B}));
       if (files.report) series.add(sample);
     };
     report.comparison.contenders.push_back({contender.name, run(scenario, contender, observe)});

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "record/sample.h"
+#include "record/quantities.h"
 
 /// The rows of a record as CSV; demos/README.md documents the columns.
 namespace polhode::demos {
@@ -11,6 +11,6 @@ namespace polhode::demos {
 std::string csv_header();
 
 /// Returns one line, newline included, with 17 significant digits.
-std::string csv_row(const std::string& contender, const Sample& sample);
+std::string csv_row(const std::string& contender, const Instant& at);
 
 }  // namespace polhode::demos

@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include "polhode/rotation_math.h"
 #include "record/errors.h"
 
 namespace polhode::demos {
@@ -14,18 +13,13 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-void append(double value, std::vector<float>& column) {
-  column.push_back(static_cast<float>(value));
-}
-
-template <class Values>
-void append_all(const Values& values, std::vector<float>& column) {
-  for (Eigen::Index i = 0; i < values.size(); ++i) append(values.data()[i], column);
-}
-
-// A missing error counts as less than any number.
-void take_larger(double error, double& worst) {
-  if (!(std::abs(worst) >= std::abs(error))) worst = error;
+/// Calls visit(quantity, component) for all that a record holds.
+template <class Visit>
+void for_each_component(const Visit& visit) {
+  for (const Quantity& quantity : quantities()) {
+    if (!quantity.is_in_report()) continue;
+    for (int i = 0; i < quantity.components; ++i) visit(quantity, i);
+  }
 }
 
 }  // namespace
@@ -40,54 +34,39 @@ SeriesRecorder::SeriesRecorder(const Vector3& inertia_B, double dt, std::int64_t
 void SeriesRecorder::add(const Sample& sample) {
   if (!start_) {
     start_ = sample;
-    worst_ = errors_of(sample);
-    end_stretch(sample);
+    add_to_stretch(sample);
+    end_stretch();
     return;
   }
-  const Errors errors = errors_of(sample);
-  if (steps_in_stretch_ == 0) worst_ = errors;
-  take_larger(errors.energy, worst_.energy);
-  take_larger(errors.momentum, worst_.momentum);
-  take_larger(errors.momentum_angle_rad, worst_.momentum_angle_rad);
-  take_larger(errors.attitude_rad, worst_.attitude_rad);
+  add_to_stretch(sample);
   if (is_past_cut(sample, dt_)) ++past_cut_;
-  last_ = sample;
   ++steps_in_stretch_;
-  if (steps_in_stretch_ == series_.stride) end_stretch(sample);
+  if (steps_in_stretch_ == series_.stride) end_stretch();
 }
 
 Series SeriesRecorder::finish() {
-  if (steps_in_stretch_ > 0) end_stretch(*last_);
+  if (steps_in_stretch_ > 0) end_stretch();
   return std::move(series_);
 }
 
-SeriesRecorder::Errors SeriesRecorder::errors_of(const Sample& sample) const {
-  return {
-      energy_error(sample, *start_).value_or(kUnknown), momentum_error(sample, *start_).value_or(kUnknown),
-      momentum_angle_rad(sample, *start_).value_or(kUnknown), sample.attitude_error_rad.value_or(kUnknown)};
+void SeriesRecorder::add_to_stretch(const Sample& sample) {
+  const Instant at{sample, *start_, inertia_B_};
+  std::vector<double> record;
+  record.reserve(record_.size());
+  for_each_component([&](const Quantity& quantity, int component) {
+    const double value = quantity.value(at, component).value_or(kUnknown);
+    const double before = steps_in_stretch_ > 0 ? record_[record.size()] : kUnknown;
+    record.push_back(quantity.is_error() && std::abs(before) >= std::abs(value) ? before : value);
+  });
+  record_ = std::move(record);
 }
 
-void SeriesRecorder::end_stretch(const Sample& sample) {
-  const RotationState& state = sample.state;
-  append(sample.t_s, series_.t_s);
-  append(sample.energy_J, series_.energy_J);
-  // L.omega/2 with omega = R I^-1 R^T L, term by term: also of a basis that is no rotation. L without the rotors.
-  const Vector3 L_B = state.R_WB.transpose() * state.L_W - state.rotor_momentum_B;
-  const Vector3 energies = 0.5 * L_B.cwiseAbs2().cwiseQuotient(inertia_B_);
-  append(energies.x(), series_.energy_x_J);
-  append(energies.y(), series_.energy_y_J);
-  append(energies.z(), series_.energy_z_J);
-  append(sample.det_R(), series_.det_R);
-  append_all(state.R_WB, series_.R_WB);
-  append_all(sample.position_W, series_.position_W);
-  append_all(state.omega_W, series_.omega_W);
-  append_all(state.L_W, series_.L_W);
-  append_all(Vector3(state.R_WB * state.rotor_momentum_B), series_.rotor_momentum_W);
-  append(worst_.energy, series_.energy_error);
-  append(worst_.momentum, series_.momentum_error);
-  append(worst_.momentum_angle_rad, series_.momentum_angle_rad);
-  append(worst_.attitude_rad, series_.attitude_error_rad);
-  append(static_cast<double>(past_cut_), series_.past_cut);
+void SeriesRecorder::end_stretch() {
+  auto value = record_.begin();
+  for_each_component([&](const Quantity& quantity, int /*component*/) {
+    series_.columns[quantity.key].push_back(static_cast<float>(*value++));
+  });
+  series_.past_cut.push_back(static_cast<float>(past_cut_));
   steps_in_stretch_ = 0;
   past_cut_ = 0;
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "record/optional_number.h"
+#include "record/figure_columns.h"
 #include "scenario/build_info.h"
 #include "scenario/number_text.h"
 
@@ -11,25 +11,6 @@ namespace polhode::demos {
 namespace {
 
 using Row = std::vector<std::string>;
-
-std::string signed_cell(const std::optional<double>& value, int digits) {
-  return (value && *value > 0.0 ? "+" : "") + table_cell(value, digits);
-}
-
-Row figures_row(const ContenderFigures& contender) {
-  const Figures& figures = contender.figures;
-  return {contender.contender,
-          signed_cell(figures.final_energy_error, 4),
-          table_cell(figures.worst_energy_error, 3),
-          table_cell(figures.worst_momentum_error, 3),
-          table_cell(figures.worst_momentum_angle_rad, 3),
-          table_cell(figures.final_attitude_error_rad, 3),
-          table_cell(figures.worst_attitude_error_rad, 3),
-          short_number_text(figures.final_det_R, 6),
-          number_text(figures.steps_past_cut),
-          table_cell(figures.diverged_at_s, 6),
-          number_text(static_cast<std::int64_t>(figures.ns_per_step))};
-}
 
 std::string heading(const Comparison& comparison) {
   const Scenario& scenario = comparison.scenario;
@@ -62,11 +43,18 @@ std::string aligned_columns(const std::vector<Row>& rows, Align align) {
 }
 
 std::string comparison_table(const Comparison& comparison) {
-  std::vector<Row> rows = {{"contender", "final", "worst", "worst", "turn of", "attitude", "attitude",
-                            "final", "fast", "diverged", "ns per"},
-                           {"", "E/E0-1", "|E/E0-1|", "|L| error", "L, rad", "end, rad", "max, rad", "det R",
-                            "steps", "at t, s", "step"}};
-  for (const ContenderFigures& contender : comparison.contenders) rows.push_back(figures_row(contender));
+  std::vector<Row> rows = {{"contender"}, {""}};
+  for (const ContenderFigures& contender : comparison.contenders) rows.push_back({contender.contender});
+  for (const FigureColumn& column : figure_columns()) {
+    if (!column.is_in_table()) continue;
+    const std::string heading = column.heading;
+    const std::size_t line_end = heading.find('\n');
+    rows[0].push_back(heading.substr(0, line_end));
+    rows[1].push_back(heading.substr(line_end + 1));
+    for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
+      rows[i + 2].push_back(column.cell(comparison.contenders[i].figures));
+    }
+  }
   return heading(comparison) + aligned_columns(rows, Align::right);
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "record/comparison_json.h"
+#include "record/figure_columns.h"
+#include "record/quantities.h"
 #include "report/base64.h"
 #include "report/page_template.h"
 #include "scenario/build_info.h"
@@ -31,25 +33,51 @@ Json body_json(const DrawnBody& body) {
   return {{"parts", parts}};
 }
 
-Json series_json(const Series& series, bool has_rotors) {
-  Json json = {{"count", series.records()},
-               {"stride", series.stride},
-               {"t_s", base64(series.t_s)},
-               {"energy_J", base64(series.energy_J)},
-               {"energy_x_J", base64(series.energy_x_J)},
-               {"energy_y_J", base64(series.energy_y_J)},
-               {"energy_z_J", base64(series.energy_z_J)},
-               {"energy_error", base64(series.energy_error)},
-               {"momentum_error", base64(series.momentum_error)},
-               {"momentum_angle_rad", base64(series.momentum_angle_rad)},
-               {"det_R", base64(series.det_R)},
-               {"attitude_error_rad", base64(series.attitude_error_rad)},
-               {"past_cut", base64(series.past_cut)},
-               {"R_WB", base64(series.R_WB)},
-               {"position_W", base64(series.position_W)},
-               {"omega_W", base64(series.omega_W)},
-               {"L_W", base64(series.L_W)}};
-  if (has_rotors) json["rotor_momentum_W"] = base64(series.rotor_momentum_W);
+Json components_json() {
+  Json json;
+  for (const Quantity& quantity : quantities()) {
+    if (quantity.is_in_report()) json[quantity.key] = quantity.components;
+  }
+  return json;
+}
+
+Json plots_json() {
+  Json json = Json::array();
+  for (const Quantity* quantity : plotted_quantities()) {
+    json.push_back({{"key", quantity->key},
+                    {"label", quantity->label},
+                    {"unit", quantity->unit},
+                    {"meaning", quantity->meaning},
+                    {"is_logarithmic", quantity->drawing == Drawing::logarithmic},
+                    {"is_adaptive", quantity->drawing == Drawing::adaptive}});
+  }
+  return json;
+}
+
+Json columns_json() {
+  Json json = Json::array();
+  for (const FigureColumn& column : figure_columns()) {
+    if (column.is_in_table()) json.push_back({{"heading", column.heading}, {"meaning", column.meaning}});
+  }
+  return json;
+}
+
+Json cells_json(const Figures& figures) {
+  Json json = Json::array();
+  for (const FigureColumn& column : figure_columns()) {
+    if (column.is_in_table()) json.push_back(column.cell(figures));
+  }
+  return json;
+}
+
+// What is 0 all along, as the momentum of rotors that are not there, is left out.
+Json series_json(const Series& series) {
+  Json json = {{"count", series.records()}, {"stride", series.stride}, {"past_cut", base64(series.past_cut)}};
+  for (const auto& [key, numbers] : series.columns) {
+    const bool is_zero =
+        std::all_of(numbers.begin(), numbers.end(), [](float number) { return number == 0.0F; });
+    if (!is_zero) json[std::string(key)] = base64(numbers);
+  }
   return json;
 }
 
@@ -89,12 +117,16 @@ std::string report_json(const Report& report) {
   }
   json["steps"] = step_count(scenario.dt, scenario.duration);
   if (!comparison.note.empty()) json["note"] = comparison.note;
+  json["components"] = components_json();
+  json["plots"] = plots_json();
+  json["columns"] = columns_json();
   json["contenders"] = Json::array();
   for (std::size_t i = 0; i < comparison.contenders.size(); ++i) {
     json["contenders"].push_back({{"name", comparison.contenders[i].contender},
                                   {"summary", report.summaries[i]},
                                   {"figures", figures_json(comparison.contenders[i].figures)},
-                                  {"series", series_json(report.series[i], scenario.has_rotors())}});
+                                  {"cells", cells_json(comparison.contenders[i].figures)},
+                                  {"series", series_json(report.series[i])}});
   }
   return json.dump();
 }

@@ -10,17 +10,20 @@ function decodeFloats(text) {
 
 /** One contender's records. A NaN among the numbers means that it is not known. */
 class Contender {
-  constructor(json, number) {
+  constructor(json, number, components) {
     this.number = number;  // its place, and so its colour
     this.name = json.name;
     this.summary = json.summary || "";
     this.figures = json.figures;
+    this.cells = json.cells;  // the same as texts
     this.visible = true;
     this.count = json.series.count;
     this.stride = json.series.stride;  // steps that a record stands for
-    this.series = {};
-    for (const [key, value] of Object.entries(json.series)) {
-      if (typeof value === "string") this.series[key] = decodeFloats(value);
+    this.components = components;
+    this.series = {past_cut: decodeFloats(json.series.past_cut)};
+    for (const [key, size] of Object.entries(components)) {
+      const text = json.series[key];  // missing where all numbers are 0
+      this.series[key] = text ? decodeFloats(text) : new Float32Array(size * this.count);
     }
     this.isFast = this.series.past_cut.some(steps => steps > 0);
     this.recordAt = null;  // by time index: which record is the last one until then
@@ -39,9 +42,13 @@ class Contender {
     return this.divergedAt_s !== null && t_s > this.lastTime_s;
   }
 
-  /** A key that the scenario has no use for is one of zeros. */
+  /** One number of a record; of a vector that along an axis. */
+  value(key, record, axis = 0) {
+    return this.series[key][this.components[key] * record + axis];
+  }
+
   vector(key, record) {
-    return this.series[key] ? this.series[key].subarray(3 * record, 3 * record + 3) : [0, 0, 0];
+    return this.series[key].subarray(3 * record, 3 * record + 3);
   }
 }
 
@@ -50,8 +57,8 @@ class Report {
   constructor(json) {
     Object.assign(this, {version: json.polhode_version, precision: json.precision, command: json.command,
       scenario: json.scenario, inertia_B: json.inertia_B, body: json.body, ground: json.ground || null,
-      steps: json.steps, note: json.note || ""});
-    this.contenders = json.contenders.map((contender, number) => new Contender(contender, number));
+      steps: json.steps, note: json.note || "", columns: json.columns, plots: json.plots});
+    this.contenders = json.contenders.map((contender, number) => new Contender(contender, number, json.components));
     this.times = this.sharedTimes();
     for (const contender of this.contenders) contender.recordAt = this.recordsAt(contender);
   }
@@ -89,7 +96,7 @@ class Report {
   }
 
   get hasRotors() {
-    return this.contenders.some(contender => contender.series.rotor_momentum_W);
+    return this.contenders.some(contender => contender.series.rotor_momentum_W.some(value => value !== 0));
   }
 
   get visibleContenders() {

@@ -31,6 +31,10 @@ function powerOfTen(exponent) {
   return "10" + Array.from(String(exponent), digit => superscripts[digit]).join("");
 }
 
+function unitText(unit) {
+  return unit === "1" ? "no unit" : unit;
+}
+
 /** The time with as many decimals as the distance of two records asks for. */
 function timeText(t_s, distance_s) {
   if (t_s !== 0 && (Math.abs(t_s) >= 1e7 || distance_s < 1e-7)) return shortNumber(t_s, 7);

@@ -5,20 +5,21 @@
 class Plot {
   constructor(report, playback, subject) {
     Object.assign(this, {report, playback, subject});
+    this.isVector = report.contenders[0].components[subject.key] > 1;
     this.contender = report.contenders[0];  // of a plot of one
     this.wholeRange = false;
     this.chart = element("div", {class: "chart"});
     this.note = element("p", {class: "note"});
     this.legend = element("ul", {class: "legend"});
     this.tools = element("div", {class: "plot-tools"});
-    this.figure = element("figure", {class: "plot", id: `plot-${subject.id}`},
-      element("figcaption", {}, element("h3", {}, subject.title), element("p", {}, subject.text)),
+    this.figure = element("figure", {class: "plot", id: `plot-${subject.key}`},
+      element("figcaption", {}, element("h3", {}, subject.label), element("p", {}, subject.meaning)),
       this.tools, this.chart, this.note, this.legend);
     this.addTools();
   }
 
   addTools() {
-    if (this.subject.byAxis) {
+    if (this.isVector) {
       const choice = element("select", {"aria-label": "Contender of this plot"},
         ...this.report.contenders.map(({name, number}) => element("option", {value: number}, name)));
       choice.addEventListener("change", () => {
@@ -42,14 +43,15 @@ class Plot {
     if (this.chart.clientWidth === 0) return;
     if (this.uplot) this.uplot.destroy();
     this.uplot = null;
-    this.lines = this.subject.byAxis ? axisLines(this.report, this.contender)
-      : contenderLines(this.report, this.subject);
+    this.lines = this.isVector
+      ? kBodyAxes.map((_, axis) => lineOf(this.report, this.contender, this.subject, axis))
+      : this.report.contenders.map(contender => lineOf(this.report, contender, this.subject));
     this.legends = this.lines.map((_, number) => this.legendEntry(number));
     this.legend.replaceChildren(...this.legends.map(entry => entry.item));
     const isEmpty = this.lines.every(line => line.every(value => value === null || value === undefined));
     this.figure.classList.toggle("is-empty", isEmpty);
     if (isEmpty) {
-      this.note.textContent = this.subject.absent;
+      this.note.textContent = "Not known here.";
       return;
     }
     this.chooseScale();
@@ -63,19 +65,19 @@ class Plot {
   legendEntry(number) {
     const value = element("span", {class: "value"});
     const axis = kBodyAxes[number];
-    const swatch = this.subject.byAxis ? lineSwatch(`var(--ink-${axis})`, kAxisDashes[axis]) : palette.swatch(number);
-    const name = this.subject.byAxis ? `about ${axis}` : this.report.contenders[number].name;
+    const swatch = this.isVector ? lineSwatch(`var(--ink-${axis})`, kAxisDashes[axis]) : palette.swatch(number);
+    const name = this.isVector ? axis : this.report.contenders[number].name;
     const item = element("li", {}, swatch, element("span", {class: "name", title: name}, name), value);
     return {item, value};
   }
 
   isShown(number) {
-    return this.subject.byAxis || this.report.contenders[number].visible;
+    return this.isVector || this.report.contenders[number].visible;
   }
 
   chooseScale() {
     const [low, high] = extent(this.lines.filter((_, number) => this.isShown(number)));
-    this.isLog = Boolean(this.subject.magnitude || (this.subject.adaptive && low > 0 && high > 20 * low));
+    this.isLog = Boolean(this.subject.is_logarithmic || (this.subject.is_adaptive && low > 0 && high > 20 * low));
     const cut = cutOf(this.report, this.subject);
     this.isCut = Boolean(cut && (low < cut[0] || high > cut[1]));
     this.cut = this.isCut && !this.wholeRange ? cut : null;
@@ -97,7 +99,7 @@ class Plot {
       },
       axes: [
         {...axis, label: "t, s", labelSize: 18, size: 26, values: (_, splits) => linearTexts(splits)},
-        {...axis, label: this.subject.axis, labelSize: 18, size: 58,
+        {...axis, label: `${this.subject.label}, ${unitText(this.subject.unit)}`, labelSize: 18, size: 58,
           ...(this.isLog ? {splits: (u, _, low, high) => logSplits(low, high, u.bbox.height / uPlot.pxRatio)} : {}),
           filter: (_, splits) => splits,
           values: (_, splits) => (this.isLog ? logTexts(splits) : linearTexts(splits))},
@@ -112,8 +114,8 @@ class Plot {
     const axis = kBodyAxes[number];
     const count = line.filter(value => value !== null && value !== undefined).length;
     return {
-      stroke: this.subject.byAxis ? palette.ink[axis] : palette.colour(number),
-      dash: this.subject.byAxis ? kAxisDashes[axis] : palette.dash(number),
+      stroke: this.isVector ? palette.ink[axis] : palette.colour(number),
+      dash: this.isVector ? kAxisDashes[axis] : palette.dash(number),
       width: 1.75, show: this.isShown(number), points: {show: count < 25, size: 6},
     };
   }
@@ -129,7 +131,7 @@ class Plot {
   }
 
   fastContenders() {
-    const shown = this.subject.byAxis ? [this.contender] : this.report.visibleContenders;
+    const shown = this.isVector ? [this.contender] : this.report.visibleContenders;
     return shown.filter(contender => contender.isFast);
   }
 
@@ -174,13 +176,13 @@ class Plot {
   showNote() {
     const notes = [];
     const isAtFloor = (line, number) => this.isShown(number) && line.includes(kLogFloor);
-    if (this.subject.magnitude && this.lines.some(isAtFloor)) {
+    if (this.subject.is_logarithmic && this.lines.some(isAtFloor)) {
       notes.push(`0, which has no logarithm, and what is smaller than ${powerOfTen(-17)} is drawn there.`);
     }
     if (this.cut) {
       const [low, high] = this.cut;
       const isBeyond = line => line.some(value => typeof value === "number" && (value < low || value > high));
-      const beyond = this.subject.byAxis ? [this.contender]
+      const beyond = this.isVector ? [this.contender]
         : this.report.visibleContenders.filter(({number}) => isBeyond(this.lines[number]));
       notes.push(`The axis is cut; beyond it: ${beyond.map(({name}) => name).join(", ")}.`);
     }
@@ -193,7 +195,7 @@ class Plot {
     const {index, t_s} = this.playback;
     this.timeLine.style.transform = `translateX(${this.uplot.valToPos(t_s, "x").toFixed(2)}px)`;
     this.legends.forEach(({item, value}, number) => {
-      const contender = this.subject.byAxis ? this.contender : this.report.contenders[number];
+      const contender = this.isVector ? this.contender : this.report.contenders[number];
       item.hidden = !this.isShown(number);
       setText(value, this.valueText(contender, number, contender.recordAt[index], t_s));
     });
@@ -201,8 +203,7 @@ class Plot {
 
   valueText(contender, number, record, t_s) {
     if (contender.isOver(t_s)) return "diverged";
-    const key = this.subject.byAxis ? `energy_${kBodyAxes[number]}_J` : this.subject.key;
-    const value = contender.series[key][record];
-    return shortNumber(this.subject.magnitude ? Math.abs(value) : value, this.subject.adaptive ? 6 : 3);
+    const value = contender.value(this.subject.key, record, this.isVector ? number : 0);
+    return shortNumber(this.subject.is_logarithmic ? Math.abs(value) : value, this.subject.is_adaptive ? 6 : 3);
   }
 }

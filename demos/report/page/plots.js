@@ -4,7 +4,7 @@
 
 class Plots {
   constructor(report, playback) {
-    this.plots = kSubjects.map(subject => new Plot(report, playback, subject));
+    this.plots = report.plots.map(subject => new Plot(report, playback, subject));
     byId("plots").append(...this.plots.map(plot => plot.figure));
     const stride = Math.max(...report.contenders.map(contender => contender.stride));
     if (stride > 1) {

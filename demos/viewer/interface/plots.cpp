@@ -76,24 +76,23 @@ void draw_curve(ImDrawList& list, const Axes& axes, const Curve& curve, std::siz
   }
 }
 
-void draw_plot(const Simulation& simulation, const QuantityDescription& quantity, const Rectangle& area) {
+void draw_plot(const Simulation& simulation, const PlotSubject& subject, const Rectangle& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::vector<Curve> curves = curves_of(simulation, quantity, kMostPoints);
+  const std::vector<Curve> curves = curves_of(simulation, subject, kMostPoints);
   const double first_s = static_cast<double>(simulation.first_kept_step()) * simulation.scenario().dt;
   const Range t_s{first_s, std::max(simulation.shown_t_s(), first_s + simulation.scenario().dt)};
   const Axes axes{{area.left + kLeftMargin, area.top + kTopMargin, area.width - kLeftMargin - kRightMargin,
                    area.height - kTopMargin - kBottomMargin},
                   t_s,
                   value_range(curves)};
-  const std::string title = std::string(quantity.name) + ", " + quantity.unit;
   const auto leaving = std::count_if(curves.begin(), curves.end(),
                                      [&](const Curve& curve) { return leaves(curve, axes.value); });
   const bool is_known = std::any_of(curves.begin(), curves.end(), [](const Curve& c) { return !c.empty(); });
   std::string remark;
   if (!is_known) remark = "not known here";
   if (leaving > 0) remark = number_text(static_cast<std::int64_t>(leaving)) + " off the scale";
-  list.AddText({area.left + kLeftMargin, area.top + 4.0f}, im_color(kInk), title.c_str());
-  if (is_known) draw_ticks(list, axes, quantity.is_logarithmic);
+  list.AddText({area.left + kLeftMargin, area.top + 4.0f}, im_color(kInk), subject.title().c_str());
+  if (is_known) draw_ticks(list, axes, subject.quantity->is_error());
   const ImVec2 corner{axes.frame.left, axes.frame.top};
   const ImVec2 far_corner{axes.frame.left + axes.frame.width, axes.frame.top + axes.frame.height};
   list.PushClipRect(corner, far_corner, true);
@@ -112,13 +111,14 @@ void draw_plots(const Session& session, const Rectangle& area) {
   ImGui::SetNextWindowSize({area.width, area.height});
   ImGui::Begin("plots", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
-  const auto columns = static_cast<std::size_t>(std::clamp(area.width / kLeastWidth, 1.0f, 4.0f));
-  const std::size_t rows = (kQuantities.size() + columns - 1) / columns;
+  const auto columns = static_cast<std::size_t>(std::clamp(area.width / kLeastWidth, 1.0f, 5.0f));
+  const std::vector<PlotSubject> subjects = plot_subjects();
+  const std::size_t rows = (subjects.size() + columns - 1) / columns;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const Rectangle all{corner.x, corner.y, ImGui::GetContentRegionAvail().x,
                       std::max(ImGui::GetContentRegionAvail().y, kLeastHeight * static_cast<float>(rows))};
-  for (std::size_t index = 0; index < kQuantities.size(); ++index) {
-    draw_plot(session.simulation(), kQuantities[index], grid_cell_of_columns(all, index, columns, rows));
+  for (std::size_t index = 0; index < subjects.size(); ++index) {
+    draw_plot(session.simulation(), subjects[index], grid_cell_of_columns(all, index, columns, rows));
   }
   ImGui::Dummy({1.0f, all.height - 1.0f});
   ImGui::End();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "record/contender.h"
+#include "record/quantities.h"
 #include "scenario/scenario.h"
 #include "viewer/model/history.h"
 #include "world/attitude_reference.h"
@@ -31,6 +32,8 @@ class ContenderRun {
   /// Returns a digest of the state's bits after that step, for a recording; 0 if the run had diverged, or
   /// past kMostDigests.
   std::uint64_t digest_at(std::int64_t step) const;
+  /// The sample after that step, or after the nearest that is held.
+  Instant instant(std::int64_t step) const { return {history_.at(step).sample, start_, inertia_B()}; }
   Vector3 inertia_B() const { return world_->inertia_B(); }
 
  private:

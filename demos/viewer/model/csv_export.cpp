@@ -12,10 +12,9 @@ void export_csv(const Simulation& simulation, const std::filesystem::path& file)
   output.write(csv_header());
   for (std::size_t index = 0; index < simulation.size(); ++index) {
     const ContenderRun& run = simulation.run(index);
-    const History& history = run.history();
-    const std::int64_t last = std::min(history.last_step(), simulation.shown_step());
-    for (std::int64_t step = history.first_step(); step <= last; ++step) {
-      output.write(csv_row(run.contender().name, history.at(step).sample));
+    const std::int64_t last = std::min(run.history().last_step(), simulation.shown_step());
+    for (std::int64_t step = run.history().first_step(); step <= last; ++step) {
+      output.write(csv_row(run.contender().name, run.instant(step)));
     }
   }
   output.commit();

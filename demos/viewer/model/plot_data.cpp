@@ -17,12 +17,11 @@ constexpr double kUsualReach = 4.0;
 constexpr double kRoomToLeave = 0.3;
 constexpr double kMargin = 0.08;
 
-double shown_value(double value, bool is_logarithmic) {
-  if (!is_logarithmic) return value;
-  return value > 0.0 ? std::max(std::log10(value), kLeastPower) : kLeastPower;
+double shown_value(double value, bool is_error) {
+  return is_error ? std::max(std::log10(std::abs(value)), kLeastPower) : value;
 }
 
-Curve curve_of(const ContenderRun& run, std::int64_t last_step, const QuantityDescription& quantity,
+Curve curve_of(const ContenderRun& run, std::int64_t last_step, const PlotSubject& subject,
                std::size_t most_points) {
   const History& history = run.history();
   const std::int64_t last = std::min(last_step, history.last_step());
@@ -33,9 +32,9 @@ Curve curve_of(const ContenderRun& run, std::int64_t last_step, const QuantityDe
   // At multiples of the stride, so that a curve that grows does not flicker; and the newest.
   for (std::int64_t step = history.first_step(); step <= last;
        step = std::min(step == last ? last + 1 : last, (step / stride + 1) * stride)) {
-    const Sample& sample = history.at(step).sample;
-    const std::optional<double> value = value_of(quantity.quantity, sample, run.start());
-    if (value) curve.push_back({sample.t_s, shown_value(*value, quantity.is_logarithmic)});
+    const Instant at = run.instant(step);
+    const std::optional<double> value = subject.quantity->value(at, subject.component);
+    if (value) curve.push_back({at.sample.t_s, shown_value(*value, subject.quantity->is_error())});
   }
   return curve;
 }
@@ -64,11 +63,25 @@ double usual_distance(const std::vector<Range>& extents, double centre) {
 
 }  // namespace
 
-std::vector<Curve> curves_of(const Simulation& simulation, const QuantityDescription& quantity,
+std::string PlotSubject::title() const {
+  const std::string axis = quantity->components == 3 ? std::string(" ") + "xyz"[component] : "";
+  const std::string unit = quantity->unit == std::string("1") ? "no unit" : quantity->unit;
+  return quantity->label + axis + ", " + unit;
+}
+
+std::vector<PlotSubject> plot_subjects() {
+  std::vector<PlotSubject> subjects;
+  for (const Quantity* quantity : plotted_quantities()) {
+    for (int i = 0; i < quantity->components; ++i) subjects.push_back({quantity, i});
+  }
+  return subjects;
+}
+
+std::vector<Curve> curves_of(const Simulation& simulation, const PlotSubject& subject,
                              std::size_t most_points) {
   std::vector<Curve> curves;
   for (std::size_t index = 0; index < simulation.size(); ++index) {
-    curves.push_back(curve_of(simulation.run(index), simulation.shown_step(), quantity, most_points));
+    curves.push_back(curve_of(simulation.run(index), simulation.shown_step(), subject, most_points));
   }
   return curves;
 }

@@ -91,11 +91,11 @@ class PageProbe:
         ids = self.run("return Array.from(document.querySelectorAll('.plot:not(.is-empty)'), plot => plot.id);")
         contenders = [f"--contender-{number}" for number in range(len(self.data("contenders")))]
         axes = ["--ink-x", "--ink-y", "--ink-z"]
-        return {plot: self.run(COUNT_PIXELS, f"#{plot} canvas", axes if plot == "plot-energy-axes" else contenders)
+        return {plot: self.run(COUNT_PIXELS, f"#{plot} canvas", axes if plot == "plot-axis_energy_J" else contenders)
                 for plot in ids}
 
     def contender_pixels(self, number):
-        return self.run(COUNT_PIXELS, ".plot:not(#plot-energy-axes) canvas", [f"--contender-{number}"])
+        return self.run(COUNT_PIXELS, ".plot:not(#plot-axis_energy_J) canvas", [f"--contender-{number}"])
 
     # The views in 3D.
 

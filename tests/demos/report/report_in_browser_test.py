@@ -126,7 +126,7 @@ def check_hiding(checks, browser, probe):
     browser.click(box)
     probe.settle()
     checks.expect(probe.is_hidden(f"#viewports > :nth-child({number + 1})"), "a hidden contender's view is gone")
-    checks.expect(probe.is_hidden(f"#plot-energy .legend > :nth-child({number + 1})"), "its legend is gone")
+    checks.expect(probe.is_hidden(f"#plot-energy_J .legend > :nth-child({number + 1})"), "its legend is gone")
     after = probe.contender_pixels(number)
     checks.expect(after < before, "its line is gone from the plots", f"{before} and then {after} pixels")
     browser.click(box)
@@ -141,7 +141,7 @@ def check_plot_drag(checks, browser, probe):
     end = browser.run("const report = window.polhodeReport; return report.end_s;")
     click, drag = [(0.25, 0.5)], [(0.25, 0.5), (0.5, 0.5), (0.75, 0.4)]
     for places, text in [(click, "a click in a plot"), (drag, "a drag in a plot")]:
-        browser.drag("#plot-energy .u-over", *places)
+        browser.drag("#plot-energy_J .u-over", *places)
         probe.settle()
         share = places[-1][0]
         distance = abs(probe.time() - share * end)

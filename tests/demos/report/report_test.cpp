@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
@@ -71,7 +72,7 @@ TEST(Report, SaysWhatWasRunAndWhatCameOut) {
   EXPECT_EQ(json["body"]["parts"][0]["half_extents"], (std::vector<double>{0.5, 0.1, 0.1}));
   ASSERT_EQ(json["contenders"].size(), 2u);
   EXPECT_EQ(json["contenders"][0]["series"]["count"], 11);
-  EXPECT_EQ(json["contenders"][0]["series"]["t_s"], base64(report.series[0].t_s));
+  EXPECT_EQ(json["contenders"][0]["series"]["t_s"], base64(report.series[0].columns.at("t_s")));
   EXPECT_TRUE(json["contenders"][0]["figures"]["diverged_at_s"].is_null());
   EXPECT_EQ(json["contenders"][1]["figures"]["diverged_at_s"], 0.25);
 }
@@ -96,19 +97,39 @@ TEST(Report, LetsNoTextBreakOutOfItsData) {
 TEST(Report, HasTheMomentumOfRotorsWhereThereAreSome) {
   Report report = report_of(2, 10);
   report.comparison.note = "left out: third";
-  report.comparison.scenario.body.drive.rotor_momentum_B = {0, 0, 1};
+  std::vector<float>& momenta = report.series[1].columns.at("rotor_momentum_W");
+  momenta.back() = 1.0F;
   const nlohmann::json json = nlohmann::json::parse(report_json(report));
-  EXPECT_EQ(json["contenders"][1]["series"]["rotor_momentum_W"], base64(report.series[1].rotor_momentum_W));
+  EXPECT_EQ(json["contenders"][1]["series"]["rotor_momentum_W"], base64(momenta));
   EXPECT_EQ(json["note"], "left out: third");
+  EXPECT_FALSE(json["contenders"][0]["series"].contains("rotor_momentum_W"));
   const nlohmann::json without = nlohmann::json::parse(report_json(report_of(2, 10)));
-  EXPECT_FALSE(without["contenders"][1]["series"].contains("rotor_momentum_W"));
   EXPECT_FALSE(without.contains("note"));
+}
+
+TEST(Report, BringsThePageAllThatIsPlottedAndTabulated) {
+  const nlohmann::json json = nlohmann::json::parse(report_json(report_of(1, 10)));
+  const auto is_plotted = [&](const Quantity& quantity) {
+    return std::any_of(json["plots"].begin(), json["plots"].end(), [&](const nlohmann::json& plot) {
+      return plot["key"] == quantity.key && plot["label"] == quantity.label && plot["unit"] == quantity.unit;
+    });
+  };
+  for (const Quantity& quantity : quantities()) {
+    EXPECT_EQ(is_plotted(quantity), quantity.is_plotted()) << quantity.key;
+    EXPECT_EQ(json["components"].contains(quantity.key), quantity.is_in_report()) << quantity.key;
+  }
+  EXPECT_EQ(json["columns"].size(), 10u);
+  EXPECT_EQ(json["columns"][5]["heading"], "attitude\nmax, rad");
+  EXPECT_EQ(json["contenders"][0]["cells"],
+            (std::vector<std::string>{"-", "-", "-", "-", "-", "-", "1", "0", "-", "0"}));
 }
 
 TEST(Report, StaysUnderTwoMegabytes) {
   for (const std::size_t contenders : {1u, 6u, 9u, 14u}) {
     Report report = report_of(contenders, 20000);
-    report.comparison.scenario.body.drive.rotor_momentum_B = {0, 0, 1};
+    for (Series& series : report.series) {
+      for (auto& column : series.columns) column.second.back() = 1.0F;  // so that none is left out
+    }
     EXPECT_LT(report_html(report).size(), 2000000u) << contenders;  // measured 1.86e6
   }
 }

@@ -100,21 +100,28 @@ TEST(Arrows, ShowTheMomentumOfRotorsToo) {
 
 TEST(Plots, HoldEveryQuantityUpToTheShownStep) {
   const Simulation simulation = tumbling(1000);
-  for (const QuantityDescription& quantity : kQuantities) {
-    const std::vector<Curve> curves = curves_of(simulation, quantity, 100);
+  std::vector<std::string> titles;
+  for (const PlotSubject& subject : plot_subjects()) {
+    titles.push_back(subject.title());
+    const std::vector<Curve> curves = curves_of(simulation, subject, 100);
     ASSERT_EQ(curves.size(), 2u);
     EXPECT_GE(curves[0].size(), 50u);
     EXPECT_LE(curves[0].size(), 102u);
     EXPECT_EQ(curves[0].front().t_s, 0.0);
     EXPECT_EQ(curves[0].back().t_s, simulation.shown_t_s());
   }
+  EXPECT_EQ(titles, (std::vector<std::string>{"energy error, no unit", "|L| error, no unit", "turn of L, rad",
+                                              "attitude error, rad", "energy, J",
+                                              "energy about body axis x, J", "energy about body axis y, J",
+                                              "energy about body axis z, J", "det R, no unit"}));
 }
 
 TEST(Plots, SplitTheRotationalEnergyAmongTheAxes) {
   const auto sum_J = [](const Simulation& simulation) {
     double sum = 0.0;
-    for (const Quantity axis : {Quantity::energy_x, Quantity::energy_y, Quantity::energy_z}) {
-      sum += *value_of(axis, simulation.shown(0).sample, simulation.run(0).start());
+    for (const PlotSubject& subject : plot_subjects()) {
+      if (subject.quantity->components != 3) continue;
+      sum += *subject.quantity->value(simulation.run(0).instant(simulation.shown_step()), subject.component);
     }
     return sum;
   };

@@ -129,7 +129,7 @@ TEST(Session, IsExportedAsThatWhichWasComputed) {
   for (std::size_t index = 0; index < 2; ++index) {
     const ContenderRun& run = session.simulation().run(index);
     for (int step = 0; step <= 2; ++step) {
-      expected += csv_row(run.contender().name, run.history().at(step).sample);
+      expected += csv_row(run.contender().name, run.instant(step));
     }
   }
   EXPECT_EQ(read_file(directory / "out.csv"), expected);
