@@ -37,7 +37,7 @@ Limits read_limits(Bytes& bytes) {
   return limits;
 }
 
-// The bounds of the determinism contract (plugin/README.md): numbers that are not finite are set back to what
+// The bounds of the determinism contract (docs/step.md): numbers that are not finite are set back to what
 // the library wrote last, which the two ways do at different moments. A RotationWorld cannot be detached.
 bool is_within_contract(const Limits& limits) {
   return !limits.managed || (!limits.non_finite && !limits.detaching && !limits.continuous_collision &&

@@ -143,8 +143,8 @@ std::string in_a_table_cell(std::string_view text) {
   return escaped;
 }
 
-TEST(SchemeRegistry, TheReadmesTableSaysWhatTheSchemesDeclare) {
-  std::ifstream file(POLHODE_SOURCE_DIR "/plugin/README.md");
+TEST(SchemeRegistry, TheTableOfSchemesSaysWhatTheyDeclare) {
+  std::ifstream file(POLHODE_SOURCE_DIR "/docs/schemes.md");
   ASSERT_TRUE(file.good());
   std::ostringstream readme;
   readme << file.rdbuf();
