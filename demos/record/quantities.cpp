@@ -10,6 +10,9 @@ namespace {
 
 using Value = std::optional<double>;
 
+constexpr const char* kNotInCsv = "";
+constexpr const char* kNoPlot = "";
+
 // L.omega/2 with omega = R I^-1 R^T L, one term of it: also of a basis that is no rotation. L without the rotors.
 double axis_energy_J(const Instant& at, int axis) {
   const RotationState& state = at.sample.state;
@@ -20,8 +23,6 @@ double axis_energy_J(const Instant& at, int axis) {
 }  // namespace
 
 const std::vector<Quantity>& quantities() {
-  constexpr char kNotInCsv[] = "";
-  constexpr char kNoPlot[] = "";
   static const std::vector<Quantity> all = {
       {"step", "step", "1", 1, Drawing::none, kNoPlot, "0 is the start",
        [](const Instant& at, int) -> Value { return static_cast<double>(at.sample.step); }},

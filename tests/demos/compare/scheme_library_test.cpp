@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "demos/compare/command.h"
 
@@ -48,6 +49,10 @@ struct Refused {
   std::string file;
   std::string reason;
 };
+
+std::ostream& operator<<(std::ostream& stream, const Refused& refused) {
+  return stream << refused.reason.substr(0, refused.reason.find(" ", 20));
+}
 
 class RefusedSchemeLibrary : public testing::TestWithParam<Refused> {};
 
