@@ -70,6 +70,28 @@ TYPED_TEST(MultibodyChoice, IsTheDefaultUntilToldOtherwise) {
   EXPECT_EQ(this->rotation().managed_bodies(), 1U);
 }
 
+TYPED_TEST(MultibodyChoice, IsToldInTheSettings) {
+  btMultiBody& one = this->scene_.add_free_multibody(kInertia, kOmega);
+  btMultiBody& other = this->scene_.add_multibody_box(btVector3(1, 1, 1), 1, btTransform::getIdentity());
+  RotationControl& rotation = this->rotation();
+  EXPECT_EQ(rotation.settings_of(one).scheme, default_scheme());
+  EXPECT_THAT(rotation.managed_multibodies(), ::testing::ElementsAre(&one, &other));
+  rotation.set_scheme(other, "rk4");
+  rotation.set_rotor_momentum(other, {0.0, 0.5, 0.0}, RotorChange::by_motor);
+  for (const BodySettings& settings :
+       {rotation.settings_of(other), rotation.settings_of(*other.getBaseCollider())}) {
+    EXPECT_EQ(settings.scheme, find_scheme("rk4"));
+    EXPECT_TRUE(settings.has_own_choice);
+    EXPECT_EQ(settings.rotor_momentum_B, Vector3(0.0, 0.5, 0.0));
+  }
+  rotation.release(one);
+  EXPECT_EQ(rotation.settings_of(one).scheme, nullptr);
+  EXPECT_THAT(rotation.managed_multibodies(), ::testing::ElementsAre(&other));
+  btMultiBody not_in_the_world(0, 1, btVector3(1, 1, 1), false, false);
+  not_in_the_world.finalizeMultiDof();
+  EXPECT_EQ(rotation.settings_of(not_in_the_world).scheme, default_scheme());
+}
+
 TYPED_TEST(MultibodyChoice, LastsWhileItIsTakenOutBetweenTwoSteps) {
   btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
   this->rotation().set_scheme(multibody, "quaternion");
