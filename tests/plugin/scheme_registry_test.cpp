@@ -123,7 +123,7 @@ TEST(RegisteredScheme, MayComeFromAnyThread) {
   for (int thread = 0; thread < 4; ++thread) {
     threads.emplace_back([thread] {
       for (int i = 0; i < 200; ++i) {
-        const std::string name = "thread_" + std::to_string(thread);
+        const std::string name = "thread_" + std::to_string(thread) + "_" + std::to_string(i);
         const auto scheme = std::make_shared<NamedScheme>(name);
         register_scheme(scheme);
         EXPECT_EQ(find_scheme(name), scheme);
