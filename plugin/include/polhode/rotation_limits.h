@@ -6,23 +6,22 @@
 
 namespace polhode {
 
-/// A scheme counts as diverged beyond these limits.
+/// Limits beyond which a scheme counts as diverged.
 
-/// rad/s. At this speed the rim of a body of one metre would be three times as fast as light. The limit
-/// leaves room in single precision for the products that Bullet's solver forms of a body's velocity and its
-/// neighbours'.
+/// Largest |omega_W|, rad/s. At this speed the rim of a body of one metre would move at three times the speed
+/// of light. The limit keeps products of velocities in Bullet's solver from overflowing single precision.
 inline constexpr double kMaximumAngularSpeed = 1e9;
 
-/// The longest column of R_WB: a body ten thousand times its size. The limit keeps R R^T, squared in the
-/// velocity, from overflowing.
+/// Longest column of R_WB: a body shown at ten thousand times its size. The limit keeps omega_W = R I_B^-1
+/// R^T L_W and its square from overflowing.
 inline constexpr double kMaximumSwelling = 1e4;
 
-/// The least squared norm of q_WB. In a step of more radians than double can count, normalizing leaves nothing of it.
+/// Smallest |q_WB|^2. After a step of more radians than a double can represent, normalizing q_WB yields zero.
 inline constexpr double kMinimumQuaternionNorm2 = 0.5;
 
-/// Returns true if a body in this state has not diverged.
+/// Returns true if the state has not diverged.
 inline bool within_limits(const RotationState& state) {
-  // Written so that NaN is not within the limits.
+  // Written so that NaN fails the comparisons.
   return state.omega_W.squaredNorm() <= kMaximumAngularSpeed * kMaximumAngularSpeed &&
          state.R_WB.colwise().squaredNorm().maxCoeff() <= kMaximumSwelling * kMaximumSwelling &&
          state.q_WB.squaredNorm() >= kMinimumQuaternionNorm2 && state.all_finite() &&

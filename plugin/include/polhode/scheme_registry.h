@@ -9,30 +9,31 @@
 
 namespace polhode {
 
-/// Shared, because a scheme must outlive every body that it rotates.
+/// Shared, because a scheme must outlive all bodies that it rotates.
 using SchemePointer = std::shared_ptr<const RotationScheme>;
 
-/// Returns every built-in scheme, in the order of the list plugin/src/schemes/schemes.list.
+/// Returns the built-in schemes, in the order of plugin/src/schemes/schemes.list.
 const std::vector<SchemePointer>& built_in_schemes();
 
-/// Makes a scheme of the application known under the name in its description, to find_scheme and so to every function
-/// that takes a name. A scheme that was registered under the same name before is replaced; bodies that have it keep it.
-/// May be called from any thread. A registered scheme lives until the process ends.
-/// @throws std::invalid_argument for a null pointer, a name that is not of the form [a-z][a-z0-9_]*, or one of a built-in
-/// scheme.
+/// Registers a scheme under the name in its description, for find_scheme and all functions that take a name.
+/// Replaces a scheme registered under the same name before; bodies that use the replaced scheme keep it.
+/// Thread-safe. A registered scheme lives until the process ends.
+/// @throws std::invalid_argument for a null pointer, a name that is not of the form [a-z][a-z0-9_]*, or the
+/// name of a built-in scheme.
 void register_scheme(SchemePointer scheme);
 
-/// Returns the built-in schemes and then the registered ones, in the order in which their names were first registered.
+/// Returns the built-in schemes, then the registered ones in the order in which their names were first
+/// registered.
 std::vector<SchemePointer> all_schemes();
 
-/// Returns the built-in or registered scheme of that name.
-/// @throws std::invalid_argument that lists the valid names.
+/// Returns the built-in or registered scheme of this name.
+/// @throws std::invalid_argument for an unknown name; the message lists the valid ones.
 SchemePointer find_scheme(std::string_view name);
 
-/// Returns the scheme that a world's bodies get unless told otherwise.
+/// Returns the scheme that the bodies of a new world use: `exact`.
 SchemePointer default_scheme();
 
-/// Returns the names of all_schemes(), separated by ", ", for messages.
+/// Returns the names of all_schemes(), separated by ", ".
 std::string scheme_names();
 
 }  // namespace polhode

@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-/// The motion of a body at the moment for which a torque law is asked.
+/// The motion of a body at the time at which a torque law is evaluated.
 struct TorqueLawInput {
   double time_s;
   Quaternion q_WB;           ///< orientation
@@ -20,25 +20,25 @@ struct TorqueLawInput {
   Vector3 omega_B() const { return q_WB.conjugate() * omega_W; }
 };
 
-/// @name What a law may return
-/// N m.
+/// @name Torques that a law may return
+/// In N m.
 /// @{
-/// A torque in the axes of the world.
+/// A torque in world axes.
 struct WorldTorque {
   Vector3 torque_W;
 };
-/// A torque in the axes of the body.
+/// A torque in body axes.
 struct BodyTorque {
   Vector3 torque_B;
 };
-/// The torque of motors inside the body on its rotors, in the axes of the body. The body is turned the other way:
-/// the angular momentum of both together stays as it is.
+/// The torque of motors inside the body on its rotors, in body axes. The body receives the opposite torque:
+/// the total angular momentum does not change.
 struct RotorTorque {
   Vector3 torque_B;
 };
 /// @}
 
-/// All that acts on a body at one moment. Each of the kinds above is one.
+/// The sum of all torques on a body. Each of the types above converts to a Torque.
 struct Torque {
   Torque() = default;
   Torque(const WorldTorque& torque) : world_W(torque.torque_W) {}  // NOLINT(google-explicit-constructor)
@@ -64,23 +64,23 @@ inline Torque operator+(const Torque& a, const Torque& b) {
   return sum;
 }
 
-/// A torque as a function of the motion. A pure function: a step may ask it more than once, for moments within the
-/// step, on any thread. Laws are added by a law that adds their torques:
+/// A torque as a function of the motion. Must be a pure function: a step may evaluate it several times, at
+/// times within the step, on any thread. To combine laws, add their torques:
 ///
 ///   TorqueLaw both = [a, b](const TorqueLawInput& motion) { return a(motion) + b(motion); };
 using TorqueLaw = std::function<Torque(const TorqueLawInput&)>;
 
-/// How fast the error of a step with a law falls with dt, where the scheme's own order allows it. Schemes of order 1
-/// take the torque at the start of the step, as any torque, with either choice.
+/// The order of convergence in dt of a step with a torque law, if the scheme's own order allows it. Schemes
+/// of order 1 evaluate the law once, at the start of the step, with either choice.
 enum class TorqueLawOrder {
-  /// The law is asked once a step, for its middle (twice in the first step). For a law that damps, dt times its
-  /// rate must stay below 1.
+  /// Evaluates the law once in a step, at its middle (twice in the first step). If the law damps, dt times
+  /// its rate must stay below 1.
   two = 2,
-  /// Six times a step, two to four times as often if the torque depends on the velocity.
+  /// Evaluates the law 12 times in a step, 24 times if the torque depends on the velocity.
   four = 4,
 };
 
-/// "two" or "four".
+/// Returns "two" or "four".
 std::string_view to_string(TorqueLawOrder order);
 
 }  // namespace polhode

@@ -5,7 +5,8 @@
 #define POLHODE_VERSION_MINOR 2
 #define POLHODE_VERSION_PATCH 0
 
-/// One number to compare, 10000 major + 100 minor + patch: `#if POLHODE_VERSION >= 200` is "since 0.2.0".
+/// Version as one number, 10000 major + 100 minor + patch: `#if POLHODE_VERSION >= 200` tests for 0.2.0 or
+/// later.
 #define POLHODE_VERSION (10000 * POLHODE_VERSION_MAJOR + 100 * POLHODE_VERSION_MINOR + POLHODE_VERSION_PATCH)
 
 /// "major.minor.patch"
@@ -17,7 +18,7 @@
 
 namespace polhode {
 
-/// Version of the library that is linked, "major.minor.patch". With a shared library it can be newer than
+/// Returns the version of the linked library, "major.minor.patch". A shared library may be newer than
 /// POLHODE_VERSION_STRING, the version of the headers that the caller was compiled with.
 const char* version() noexcept;
 

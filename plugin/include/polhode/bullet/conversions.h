@@ -5,9 +5,9 @@
 #include "polhode/bullet/precision.h"
 #include "polhode/rotation_state.h"
 
-/// Converts between Bullet's types, in its precision, and Eigen's in double. The conversion from Bullet loses nothing;
-/// the one to Bullet rounds to its precision. Mind the order: btQuaternion's constructor takes x, y, z, w, Eigen's
-/// w, x, y, z.
+/// Converts between Bullet's types, in Bullet's precision, and Eigen's types in double. Conversion from
+/// Bullet is exact; conversion to Bullet rounds. Component order differs: btQuaternion's constructor takes x,
+/// y, z, w, Eigen's takes w, x, y, z.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -25,7 +25,7 @@ inline Quaternion to_double(const btQuaternion& q) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-/// The basis is copied as it is, also one that is no rotation.
+/// Copies the basis unchanged, even if it is not a rotation.
 inline Eigen::Isometry3d to_double(const btTransform& transform) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.linear() = to_double(transform.getBasis());
@@ -37,8 +37,8 @@ inline btVector3 to_bullet(const Vector3& v) {
   return {static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()), static_cast<btScalar>(v.z())};
 }
 
-// Converts number by number and in place: a vectorized copy would stall on numbers that were stored one by
-// one just before.
+// Converts element by element and in place. A vectorized copy would stall on elements that were just stored
+// one by one.
 inline void to_bullet(const Matrix3& m, btMatrix3x3& result) {
   const auto rounded = [&m](int row, int column) { return static_cast<btScalar>(m(row, column)); };
   result.setValue(rounded(0, 0), rounded(0, 1), rounded(0, 2), rounded(1, 0), rounded(1, 1), rounded(1, 2),
@@ -60,23 +60,23 @@ inline btTransform to_bullet(const Eigen::Isometry3d& pose) {
   return btTransform(to_bullet(Matrix3(pose.linear())), to_bullet(Vector3(pose.translation())));
 }
 
-/// Returns the rotation that a Bullet basis represents.
+/// Returns the rotation that a Bullet basis represents, normalized.
 inline Quaternion to_quaternion(const btMatrix3x3& basis) {
   Matrix3 R = to_double(basis);
-  // Of larger numbers, which make no rotation, the length would overflow.
+  // Scale down numbers too large for a rotation, so that the norm does not overflow.
   constexpr double kLarge = 1e100;
   const double largest = R.cwiseAbs().maxCoeff();
   if (largest > kLarge) R /= largest;
   return Quaternion(R).normalized();
 }
 
-/// Returns true if every component is equal; the fourth, with which Bullet pads, does not count.
+/// Returns true if all components are equal. Ignores the fourth component, which is Bullet's padding.
 inline bool same(const btVector3& a, const btVector3& b) {
   return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
 }
 
 inline bool same(const btMatrix3x3& a, const btMatrix3x3& b) {
-  int differences = 0;  // counted without a branch for each
+  int differences = 0;  // one sum instead of nine branches
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) differences += a[row][column] == b[row][column] ? 0 : 1;
   }

@@ -1,10 +1,10 @@
 #pragma once
 
-/// The one of Bullet's two precisions that this code is compiled for. Bullet's libraries export the same
-/// symbols in both, so that a mix links and then crashes. Everything here therefore lives in a namespace
-/// named after the precision. A mix is refused when compiled (below) or linked (the namespace); a mix that
-/// passes both is named on stderr when the program is loaded, and refused when a world is taken on
-/// (require_matching_bullet).
+/// Selects the Bullet precision that this code is compiled for. Single- and double-precision Bullet export
+/// the same symbols, so mixing them links and then crashes. All declarations therefore live in a namespace
+/// named after the precision. A mismatch is an error when compiling (below) or linking (the namespace). A
+/// mismatch that passes both prints a message to stderr when the program is loaded, and throws when a world
+/// is attached (require_matching_bullet).
 
 #include <LinearMath/btScalar.h>
 
@@ -30,8 +30,8 @@ link polhode::bullet_float64"
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// @throws std::runtime_error that names both precisions, if the Bullet library loaded into this process was
-/// built in another one than this code.
+/// Checks that the loaded Bullet library has the precision that this code was compiled for.
+/// @throws std::runtime_error that names both precisions if they differ.
 void require_matching_bullet();
 
 }  // namespace POLHODE_PRECISION

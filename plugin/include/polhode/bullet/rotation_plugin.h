@@ -9,23 +9,23 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Rotates the bodies of a world that the application made: `RotationPlugin plugin(world);`.
+/// Rotates the bodies of an existing world: `RotationPlugin plugin(world);`.
 ///
-/// Attaches to two places of the world. An island manager of the plugin's own stands in for the world's, to
-/// see the start of each solve. The first of the world's actions is the plugin's, to replace the turn that
-/// Bullet made right after its integration. The tick callbacks, the user pointers, the solver and the class
-/// of the world stay the application's, and other actions see and change finished bodies. detach() leaves the
-/// world exactly as it was found. A RotationPlugin and a RotationWorld give the same bits.
+/// Hooks into the world in two places. An island manager of the plugin's replaces the world's; Bullet calls
+/// it at the start of each solve. An action of the plugin's comes first in the world's list; it replaces
+/// Bullet's rotation right after Bullet's integration. The world's tick callbacks, user pointers, solver and
+/// class stay untouched, and the application's actions see and change bodies whose step is complete. detach()
+/// restores the world exactly. RotationPlugin and RotationWorld give bit-identical results.
 ///
-/// Lifetime: plugin and world may be destroyed in either order. After the world is gone the plugin is
-/// detached for good. Before the application replaces the world's island manager it should detach() the
-/// plugin: until the plugin's own island manager is back, Bullet rotates the bodies (attached() is false),
-/// and the plugin is not told of the world's end.
+/// Plugin and world may be destroyed in either order. When the world is destroyed, the plugin is detached for
+/// good. Call detach() before replacing the world's island manager. Otherwise Bullet rotates the bodies
+/// (attached() is false) until the plugin's island manager is put back, and the plugin cannot notice the end
+/// of the world.
 class RotationPlugin final {
  public:
   /// Attaches to `world`.
-  /// @throws std::invalid_argument for a world that cannot be hooked (btSimpleDynamicsWorld, the deformable
-  /// world, one whose island manager is of a class of its own), or that the library rotates already.
+  /// @throws std::invalid_argument if the world cannot be hooked (btSimpleDynamicsWorld, a deformable world,
+  /// or a custom island manager class), or if the library already rotates its bodies.
   /// @throws std::runtime_error on a precision mismatch, see require_matching_bullet.
   explicit RotationPlugin(btDynamicsWorld& world);
   ~RotationPlugin();
@@ -35,15 +35,16 @@ class RotationPlugin final {
   RotationControl& rotation() { return rotation_; }
   const RotationControl& rotation() const { return rotation_; }
 
-  /// Gives every body back to Bullet and leaves the world; choices, default scheme and handler are kept. Does
-  /// nothing if not attached.
-  /// Do not call it within a step: the action after the plugin's would be skipped.
+  /// Returns every body to Bullet and unhooks from the world. Keeps the chosen schemes, the default scheme
+  /// and the incident handler. Does nothing if not attached. Do not call within a step: Bullet would skip the
+  /// action after the plugin's.
   void detach();
-  /// Attaches again to the same world. Does nothing if attached.
-  /// @throws std::invalid_argument as the constructor; std::logic_error if the world is gone. A plugin is told
-  /// of its world's end while it is attached only: do not attach to a world that has gone since detach().
+  /// Attaches to the same world again. Does nothing if attached. The world must still exist: a detached
+  /// plugin does not notice that its world is destroyed.
+  /// @throws std::invalid_argument as the constructor.
+  /// @throws std::logic_error if the world was destroyed while the plugin was attached.
   void attach();
-  /// Returns true while bodies are rotated by their schemes.
+  /// Returns true while the schemes rotate the bodies.
   bool attached() const;
 
  private:

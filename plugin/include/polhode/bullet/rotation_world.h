@@ -15,13 +15,13 @@ class btSoftMultiBodyDynamicsWorld;
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// A world whose bodies are rotated by the library: `RotationWorld<btDiscreteDynamicsWorld> world(...)`, with
-/// the constructor arguments of Base. Base is any discrete world: btDiscreteDynamicsWorld,
-/// btDiscreteDynamicsWorldMt, btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld, or
-/// a subclass of the application's own.
+/// A Bullet world whose bodies the library rotates: `RotationWorld<btDiscreteDynamicsWorld> world(...)`, with
+/// the constructor arguments of Base. Base is btDiscreteDynamicsWorld, btDiscreteDynamicsWorldMt,
+/// btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld, or a class derived from
+/// one.
 ///
-/// Gives the same bits as RotationPlugin and is faster: over one of Bullet's own five classes the library
-/// integrates the bodies itself, where Bullet would turn each of them three times more in a step.
+/// Gives results bit-identical to RotationPlugin, and is faster if Base is one of these five classes: the
+/// library then integrates the bodies itself, which saves three rotations by Bullet for each body and step.
 template <class Base>
 class RotationWorld : public Base {
   static_assert(std::is_base_of<btDiscreteDynamicsWorld, Base>::value,
@@ -81,9 +81,9 @@ class RotationWorld : public Base {
   }
 
  private:
-  // Bullet's own worlds do nothing in these stages but turn and move the bodies in their list. An
-  // application's class may do anything there: it sees all bodies, Bullet turns them, and the turn is
-  // replaced.
+  // In these stages, Bullet's own worlds only rotate and move the bodies in their list. An application's
+  // class may do anything: it sees all bodies, Bullet rotates them, and the library replaces the rotation
+  // afterwards.
   static constexpr bool kBulletsOwn =
       std::is_same_v<Base, btDiscreteDynamicsWorld> || std::is_same_v<Base, btDiscreteDynamicsWorldMt> ||
       std::is_same_v<Base, btSoftRigidDynamicsWorld> || std::is_same_v<Base, btMultiBodyDynamicsWorld> ||
