@@ -151,8 +151,8 @@ TYPED_TEST(MultibodyChoice, IsNotForLinksThatMoveOrAFixedBase) {
   this->scene_.step(kDt, 2);
   EXPECT_EQ(this->rotation().managed_bodies(), 0U);
   EXPECT_FALSE(this->rotation().manages(chain));
-  EXPECT_THAT(error_of([&] { this->rotation().set_scheme(chain, "exact"); }), HasSubstr("links that move"));
-  EXPECT_THAT(error_of([&] { this->rotation().set_scheme(link, "exact"); }), HasSubstr("links that move"));
+  EXPECT_THAT(error_of([&] { this->rotation().set_scheme(chain, "exact"); }), HasSubstr("movable links"));
+  EXPECT_THAT(error_of([&] { this->rotation().set_scheme(link, "exact"); }), HasSubstr("movable links"));
   EXPECT_THAT(error_of([&] { this->rotation().set_scheme(fixed, "exact"); }), HasSubstr("fixed"));
   EXPECT_THAT(error_of([&] { this->rotation().set_scheme(unfinished, "exact"); }),
               HasSubstr("finalizeMultiDof"));

@@ -24,14 +24,14 @@ bool BodyRegistry::synchronize(const List& list, const SchemeChoices& choices) n
   lacks_memory_ = size_with_memory < list.size;
   if (!is_unchanged) follow({list.first, size_with_memory});
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    if (places_[i].family == kArrived) try_to_add(i, choices);
+    if (places_[i].family == kPending) try_to_add(i, choices);
   }
   list_batches();
   ++changes_;
   return true;
 }
 
-// Makes room for a list of this size. Returns the size for which there is room.
+// Allocates memory for a list of this size. Returns the size for which memory is available.
 std::size_t BodyRegistry::reserve(std::size_t size) noexcept {
   const auto capacity = [this] {
     return std::min({bodies_.capacity(), places_.capacity(), moved_.capacity()});
@@ -47,9 +47,9 @@ std::size_t BodyRegistry::reserve(std::size_t size) noexcept {
   return std::min(size, capacity());
 }
 
-// Brings bodies_ in line with the list, for which there is room.
+// Updates bodies_ to match the list. Requires memory from `reserve`.
 void BodyRegistry::follow(const List& list) noexcept {
-  // Bodies that are not where they were: gone, or moved within the list.
+  // Bodies that left their position in the list: removed, or moved within the list.
   const std::size_t former_size = bodies_.size();
   moved_.clear();
   for (std::size_t i = 0; i < former_size; ++i) {
@@ -68,7 +68,7 @@ void BodyRegistry::follow(const List& list) noexcept {
     bodies_[i] = body;
     const auto found = std::lower_bound(moved_.begin(), moved_.end(), Moved{body, Place()}, by_address);
     if (found == moved_.end() || found->body != body) {
-      places_[i] = {kArrived, static_cast<std::uint32_t>(body_identity(*body))};
+      places_[i] = {kPending, static_cast<std::uint32_t>(body_identity(*body))};
       continue;
     }
     places_[i] = std::exchange(found->place, Place());
@@ -77,7 +77,7 @@ void BodyRegistry::follow(const List& list) noexcept {
           static_cast<std::uint32_t>(i);
     }
   }
-  // From the last to the first, so that the body that fills the hole is one that stays.
+  // From the last to the first, so that a hole is filled by a body that stays.
   std::sort(moved_.begin(), moved_.end(),
             [](const Moved& a, const Moved& b) { return a.place.number > b.place.number; });
   for (const Moved& gone : moved_) remove(gone.place);
@@ -86,18 +86,18 @@ void BodyRegistry::follow(const List& list) noexcept {
 void BodyRegistry::try_to_add(std::size_t index, const SchemeChoices& choices) noexcept {
   const Treatment treatment = choices.treatment_of(*bodies_[index]);
   try {
-    if (treatment.scheme != nullptr) expect(treatment);
+    if (treatment.scheme != nullptr) reserve_lane(treatment);
     add(index, treatment);
   } catch (const std::bad_alloc&) {
     lacks_memory_ = true;
   }
 }
 
-// Expects nobody where there is no memory for all.
-template <class Expect>
-void BodyRegistry::all_or_none(const Expect& expect_all) {
+// Reserves nothing if memory runs out.
+template <class ReserveAll>
+void BodyRegistry::reserve_all_or_none(const ReserveAll& reserve_all) {
   try {
-    expect_all();
+    reserve_all();
   } catch (...) {
     list_batches();
     throw;
@@ -113,11 +113,11 @@ bool BodyRegistry::has_other_treatment(std::size_t index, const Treatment& wante
          (place.batch->driven != nullptr) != (wanted.drive != nullptr);
 }
 
-void BodyRegistry::expect_choices(const SchemeChoices& choices) {
-  all_or_none([&] {
+void BodyRegistry::reserve_for_choices(const SchemeChoices& choices) {
+  reserve_all_or_none([&] {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const Treatment wanted = choices.treatment_of(*bodies_[i]);
-      if (wanted.scheme != nullptr && has_other_treatment(i, wanted)) expect(wanted);
+      if (wanted.scheme != nullptr && has_other_treatment(i, wanted)) reserve_lane(wanted);
     }
   });
 }
@@ -133,15 +133,15 @@ void BodyRegistry::adopt_choices(const SchemeChoices& choices) noexcept {
 }
 
 void BodyRegistry::apply_choices(const SchemeChoices& choices) {
-  expect_choices(choices);
+  reserve_for_choices(choices);
   adopt_choices(choices);
 }
 
 void BodyRegistry::restart(btRigidBody& body, const Treatment& treatment) {
   const std::size_t index = index_of(body);
   if (index == bodies_.size()) return;
-  all_or_none([&] {
-    if (treatment.scheme != nullptr) expect(treatment);
+  reserve_all_or_none([&] {
+    if (treatment.scheme != nullptr) reserve_lane(treatment);
   });
   remove(index);
   add(index, treatment);
@@ -157,7 +157,7 @@ void BodyRegistry::drive(btRigidBody& body, const Treatment& treatment) {
   } else if (!has_other_treatment(index, treatment)) {
     if (before.batch->driven != nullptr) before.batch->driven->drives[before.lane] = treatment.drive;
   } else {
-    all_or_none([&] { expect(treatment); });
+    reserve_all_or_none([&] { reserve_lane(treatment); });
     const Place place_before = places_[index];
     add(index, treatment);
     const Lane after = lane_at(index);
@@ -205,19 +205,19 @@ BodyRegistry::Lane BodyRegistry::find(const btRigidBody& body, const SchemeChoic
   return lane_at(index);
 }
 
-// Makes room for one body more than is expected already.
-void BodyRegistry::expect(const Treatment& treatment) {
+// Makes room for one more body.
+void BodyRegistry::reserve_lane(const Treatment& treatment) {
   Family& family = families_[family_of(treatment)];
-  if (family.count + family.expected == family.batches.size() * kLanes) {
+  if (family.count + family.reserved == family.batches.size() * kLanes) {
     reserve_one_more(batches_);
     reserve_one_more(family.batches);
     family.batches.push_back(std::make_unique<Batch>(family.scheme, family.is_driven));
     batches_.push_back(family.batches.back().get());
   }
-  ++family.expected;
+  ++family.reserved;
 }
 
-// The body was expected. Null: Bullet rotates it.
+// Requires a reserved lane. Leaves the body to Bullet if the scheme is null.
 void BodyRegistry::add(std::size_t index, const Treatment& treatment) noexcept {
   btRigidBody& body = *bodies_[index];
   Place& place = places_[index];
@@ -227,13 +227,13 @@ void BodyRegistry::add(std::size_t index, const Treatment& treatment) noexcept {
   Family& family = families_[place.family];
   place.number = static_cast<std::uint32_t>(family.count);
   ++family.count;
-  --family.expected;
+  --family.reserved;
   Batch& batch = family.batch_of(place.number);
   batch.attach(place.number % kLanes, body, treatment.drive);
   batch.list_index[place.number % kLanes] = static_cast<std::uint32_t>(index);
 }
 
-// The batches stay until list_batches.
+// Keeps empty batches until list_batches.
 void BodyRegistry::remove(const Place& place) noexcept {
   if (!has_lane(place)) return;
   Family& family = families_[place.family];
@@ -248,7 +248,7 @@ void BodyRegistry::remove(const Place& place) noexcept {
   --family.count;
 }
 
-// kNone if there is none yet.
+// Returns kNone if there is no such family yet.
 std::uint32_t BodyRegistry::known_family(const Treatment& treatment) const {
   const auto& families = family_of_scheme_[treatment.drive != nullptr ? 1 : 0];
   const auto known = families.find(treatment.scheme.get());
@@ -269,7 +269,7 @@ std::uint32_t BodyRegistry::family_of(const Treatment& treatment) {
   return number;
 }
 
-// bodies_.size() if there is none.
+// Returns bodies_.size() if the body is not in the list.
 std::size_t BodyRegistry::index_of(const btRigidBody& body) const {
   if (body.getWorldArrayIndex() < 0) return bodies_.size();
   const auto hint = static_cast<std::size_t>(body.getWorldArrayIndex());
@@ -282,11 +282,11 @@ std::size_t BodyRegistry::index_of(const btRigidBody& body) const {
   return hints_[hint];
 }
 
-// Lists the batches that hold bodies, and drops the others.
+// Lists the batches that hold bodies and deletes the others.
 void BodyRegistry::list_batches() noexcept {
   batches_.clear();
   for (Family& family : families_) {
-    family.expected = 0;
+    family.reserved = 0;
     family.batches.resize((family.count + kLanes - 1) / kLanes);
     for (const auto& batch : family.batches) batches_.push_back(batch.get());
     if (family.count > 0 || family.scheme == nullptr) continue;

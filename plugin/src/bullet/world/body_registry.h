@@ -13,13 +13,13 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Which body of the world is in which batch. A body gets a place when it is first seen in the world's list
-/// and loses it when it is gone from there; the last body of its scheme then fills the hole. Bodies are the
-/// application's and may be dead between two calls of synchronize: until then none is looked at.
-/// A function that throws std::bad_alloc changes nothing.
+/// Assigns the bodies of a world to batches. A body gets a lane when it first appears in the world's list and
+/// loses the lane when it disappears from the list; the last body of the same scheme then fills the hole. The
+/// application may delete bodies between two calls of synchronize, so no body is accessed before the list is
+/// synchronized. A function that throws std::bad_alloc changes nothing.
 class BodyRegistry {
  public:
-  /// A list of bodies that somebody else holds.
+  /// A view of a list of bodies.
   struct List {
     btRigidBody* const* first;
     std::size_t size;
@@ -27,30 +27,30 @@ class BodyRegistry {
     btRigidBody* operator[](std::size_t index) const { return first[index]; }
   };
 
-  /// Brings the batches in line with the list. Cheap where the list is as it was; then returns false.
-  /// Bodies for which there is no memory stay with Bullet; the next call tries again.
+  /// Updates the batches to match the list. Returns false, at little cost, if the list has not changed.
+  /// Leaves bodies to Bullet if no memory is available for them; the next call tries again.
   bool synchronize(const List& list, const SchemeChoices& choices) noexcept;
-  /// Returns whether there are such bodies.
+  /// Returns true if the last call of synchronize left bodies to Bullet because memory ran out.
   bool lacks_memory() const { return lacks_memory_; }
-  /// Counts the calls of synchronize that returned true, and those of clear.
+  /// Number of calls of clear, and of synchronize that returned true.
   std::uint64_t changes() const { return changes_; }
-  /// Gives each body of the list the scheme that is chosen for it, starting afresh where that is another one,
-  /// and where a new body has come to the address of an old one. To be called after synchronize.
+  /// Moves each body to the scheme chosen for it. A body whose scheme changes, or that replaces a deleted
+  /// body at the same address, starts from its present motion. Call after synchronize().
   void apply_choices(const SchemeChoices& choices);
-  /// @name The two parts of apply_choices, so that two registries change together or not at all
+  /// @name The two halves of apply_choices, so that two registries change together or not at all
   /// @{
-  void expect_choices(const SchemeChoices& choices);
+  void reserve_for_choices(const SchemeChoices& choices);
   void adopt_choices(const SchemeChoices& choices) noexcept;
-  /// In place of adopt_choices.
-  void expect_nothing() noexcept { list_batches(); }
+  /// Cancels reserve_for_choices.
+  void cancel_reservations() noexcept { list_batches(); }
   /// @}
-  /// Gives one body of the list this treatment, starting afresh in any case.
+  /// Applies a treatment to a body of the list, which starts from its present motion.
   void restart(btRigidBody& body, const Treatment& treatment);
-  /// The same with another drive or none, which the body goes on with from where it is.
+  /// Applies a treatment with a different drive or none to a body of the list, which keeps its state.
   void drive(btRigidBody& body, const Treatment& treatment);
   void clear();
 
-  /// The bodies as last synchronized.
+  /// The bodies at the last call of synchronize.
   const std::vector<btRigidBody*>& bodies() const { return bodies_; }
   const std::vector<Batch*>& batches() const { return batches_; }
 
@@ -58,49 +58,48 @@ class BodyRegistry {
     Batch* batch;  ///< null: the library does not rotate the body
     std::size_t lane;
   };
-  /// The place of bodies()[index].
+  /// Returns the lane of bodies()[index].
   Lane lane_at(std::size_t index) const;
-  /// The same, but null if that is another body by now.
+  /// Returns the lane of bodies()[index], or a null batch if that is not the given body any more.
   Lane lane_at(std::size_t index, const btRigidBody& body) const;
-  /// The place of a body that is alive. One that has replaced another is looked at afresh.
+  /// Returns the lane of a living body. A body that replaces a deleted one is restarted first.
   Lane find(const btRigidBody& body, const SchemeChoices& choices);
 
-  /// Returns whether another body than the one seen has come to the address of bodies()[index].
+  /// Returns true if bodies()[index] has been replaced by another body at the same address.
   bool is_replaced(std::size_t index) const;
-  /// Returns whether that is so for any body that is in no batch.
+  /// Returns true if a body without a batch has been replaced.
   bool has_replaced_bodies_left_to_bullet() const;
 
  private:
-  // The bodies of one scheme, those that have a drive or those that have none, numbered from 0 to count - 1,
-  // eight to a batch.
+  // The bodies of one scheme, with or without a drive, numbered from 0 to count - 1, eight to a batch.
   struct Family {
     SchemePointer scheme;
     bool is_driven = false;
     std::vector<std::unique_ptr<Batch>> batches;
     std::size_t count = 0;
-    std::size_t expected = 0;  ///< bodies to come, for which there is room
+    std::size_t reserved = 0;  ///< bodies for which memory is reserved
 
     Batch& batch_of(std::size_t number) { return *batches[number / kLanes]; }
   };
   static constexpr std::uint32_t kNone = UINT32_MAX;         // Bullet rotates the body
-  static constexpr std::uint32_t kArrived = UINT32_MAX - 1;  // for want of memory, so far
+  static constexpr std::uint32_t kPending = UINT32_MAX - 1;  // new, not in a batch yet
   struct Place {
     std::uint32_t family = kNone;
-    std::uint32_t number = 0;  ///< in the family; of a body without one, its identity
+    std::uint32_t number = 0;  ///< in the family; for a body without a family, the identity of the body
   };
   struct Moved {
     const btRigidBody* body;
     Place place;
   };
 
-  static bool has_lane(const Place& place) { return place.family < kArrived; }
+  static bool has_lane(const Place& place) { return place.family < kPending; }
   std::size_t reserve(std::size_t size) noexcept;
   void follow(const List& list) noexcept;
   void try_to_add(std::size_t index, const SchemeChoices& choices) noexcept;
-  void expect(const Treatment& treatment);
+  void reserve_lane(const Treatment& treatment);
   bool has_other_treatment(std::size_t index, const Treatment& wanted) const;
-  template <class Expect>
-  void all_or_none(const Expect& expect_all);
+  template <class ReserveAll>
+  void reserve_all_or_none(const ReserveAll& reserve_all);
   void add(std::size_t index, const Treatment& treatment) noexcept;
   void remove(std::size_t index) noexcept { remove(std::exchange(places_[index], Place())); }
   void remove(const Place& place) noexcept;
@@ -111,13 +110,13 @@ class BodyRegistry {
 
   std::vector<btRigidBody*> bodies_;
   std::vector<Place> places_;  // of bodies_
-  std::vector<Moved> moved_;   // within follow
+  std::vector<Moved> moved_;   // scratch space of follow
   bool lacks_memory_ = false;
   std::uint64_t changes_ = 0;
   std::vector<Family> families_;
   std::array<std::unordered_map<const RotationScheme*, std::uint32_t>, 2> family_of_scheme_;  // [is_driven]
   std::vector<Batch*> batches_;
-  // Index in bodies_ by btCollisionObject::getWorldArrayIndex, which changes without notice: a hint.
+  // Index in bodies_ by btCollisionObject::getWorldArrayIndex. Only a hint, since Bullet changes that index.
   mutable std::vector<std::uint32_t> hints_;
 };
 

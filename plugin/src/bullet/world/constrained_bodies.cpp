@@ -26,13 +26,13 @@ void clear(std::size_t size, ConstrainedMarks& marks) {
   marks.resize(std::min(size, marks.capacity()), 0);
 }
 
-// A joint's partner may stand for the world, or belong to no world.
+// Ignores bodies without a mark: a joint's partner may stand for the world, or belong to no world.
 void mark(int index, ConstrainedMarks& marks) {
   if (index >= 0 && static_cast<std::size_t>(index) < marks.size())
     marks[static_cast<std::size_t>(index)] = 1;
 }
 
-// visit(body0, body1) for each manifold that constrains its bodies.
+// Calls visit(body0, body1) for each manifold that constrains its bodies.
 template <class Visit>
 void for_contacts(btDispatcher& dispatcher, const Visit& visit) {
   constexpr int kAhead = 8;

@@ -3,13 +3,14 @@
 #include "polhode/bullet/conversions.h"
 #include "polhode/rotation_math.h"
 
-// The part of WorldStepper that knows what drives bodies.
+// The part of WorldStepper that handles torque laws and rotors.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// By a motor inside the body L_W stays, else omega_W. A body that does not turn about some axis takes no momentum there.
+// Keeps L_W if the change is by a motor, else omega_W. A body takes no momentum about an axis without inverse
+// inertia.
 void change_rotor(const btVector3& inverse_inertia_B, const Vector3& rotor_momentum_B, RotorChange change,
                   RotationState& state) {
   const Vector3 inverse_B = to_double(inverse_inertia_B);
@@ -39,7 +40,7 @@ RotationState state_of(const btRigidBody& body, const Drive& drive) {
 Drive& WorldStepper::make_drive(btRigidBody& body) {
   world();
   if (Drive* const drive = choices_.treatment_of(body).drive) return *drive;
-  choices_.expect(body);
+  choices_.reserve(body);
   auto drive = std::make_unique<Drive>();
   Drive& made = *drive;
   change_drive(body, &made);

@@ -15,8 +15,8 @@ void forget_contacts_of(const BodyGroup& group, std::size_t index, btDispatcher&
   if (object != nullptr) forget_contacts(dispatcher, *object);
 }
 
-void tell_of(BodyGroup& group, std::size_t index, IncidentKind kind, const IncidentHandler& handler,
-             const std::function<void()>& follow_changes) {
+void call_handler(BodyGroup& group, std::size_t index, IncidentKind kind, const IncidentHandler& handler,
+                  const std::function<void()>& follow_changes) {
   const BodyRegistry::Lane place = group.registry.lane_at(index);
   if (place.batch == nullptr || group.registry.is_replaced(index)) return;
   LaneBits& to_report = place.batch->to_report[static_cast<std::size_t>(kind)];
@@ -27,9 +27,9 @@ void tell_of(BodyGroup& group, std::size_t index, IncidentKind kind, const Incid
   btRigidBody* const body = multibody == nullptr ? group.registry.bodies()[index] : nullptr;
   try {
     handler({kind, body, multibody, place.batch->steps[place.lane]});
-  } catch (...) {  // nothing may be thrown through Bullet's step
+  } catch (...) {  // Bullet's step is not exception-safe
   }
-  // The handler may have taken bodies out of the world, and deleted them, or detached the plugin.
+  // The handler may have removed or deleted bodies, or detached the plugin.
   follow_changes();
 }
 
@@ -70,7 +70,7 @@ void IncidentReport::count_incidents(BodyGroup& group, btDispatcher& dispatcher)
   }
 }
 
-// Goes through the bodies themselves: a list of the incidents would take memory.
+// Iterates over the bodies instead of a list of incidents, which would need memory.
 void IncidentReport::report(const std::array<BodyGroup*, 2>& groups, btDispatcher& dispatcher,
                             const std::function<void()>& follow_changes) {
   for (BodyGroup* group : groups) count_incidents(*group, dispatcher);
@@ -81,9 +81,9 @@ void IncidentReport::report(const std::array<BodyGroup*, 2>& groups, btDispatche
     for (std::size_t i = 0; i < group->registry.bodies().size();) {
       const std::uint64_t before = changes();
       for (const IncidentKind kind : kKindsInOrder) {
-        if (changes() == before) tell_of(*group, i, kind, *present_handler, follow_changes);
+        if (changes() == before) call_handler(*group, i, kind, *present_handler, follow_changes);
       }
-      i = changes() == before ? i + 1 : 0;  // other bodies may have taken the places before
+      i = changes() == before ? i + 1 : 0;  // other bodies may have moved to earlier positions
     }
   }
 }

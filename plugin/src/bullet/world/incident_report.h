@@ -13,15 +13,16 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Counts the incidents of a step, and tells the application's handler of the first of each body and kind.
+/// Counts the incidents of a step, and calls the application's handler for the first one of each body and
+/// kind.
 class IncidentReport {
  public:
-  /// Shared, since it may be replaced while it runs. Null: none.
+  /// Null if there is none. Shared, since the handler may replace itself while it runs.
   std::shared_ptr<const IncidentHandler> handler;
   std::uint64_t count = 0;
 
-  /// To be called when every body is done: the handler may release, reassign or remove bodies. follow_changes brings
-  /// the groups in line with the world, and is called each time that the handler has run.
+  /// Call after all bodies have moved: the handler may release, reassign or remove bodies. follow_changes
+  /// updates the groups to match the world, and is called after each call of the handler.
   void report(const std::array<BodyGroup*, 2>& groups, btDispatcher& dispatcher,
               const std::function<void()>& follow_changes);
 
@@ -29,7 +30,7 @@ class IncidentReport {
   void count_incidents(BodyGroup& group, btDispatcher& dispatcher);
 };
 
-/// Forgets the contacts of bodies that were not finite before the solve: collision detection went by where they were.
+/// Removes the contacts of bodies that were not finite before the solve: they were detected at invalid poses.
 void forget_contacts_of_sanitized(const BodyGroup& group, btDispatcher& dispatcher);
 
 }  // namespace POLHODE_PRECISION

@@ -43,7 +43,7 @@ void Multibodies::synchronize() noexcept {
 void Multibodies::add(btMultiBody& multibody, int place) {
   MultibodyProxy& proxy = proxy_of(multibody);
   Known& known = known_.find(&multibody)->second;
-  if (known.index >= 0) return;  // Bullet lets a multibody be added twice
+  if (known.index >= 0) return;  // Bullet allows adding a multibody twice
   bodies_.push_back(&proxy.body());
   known.index = static_cast<int>(bodies_.size()) - 1;
   known.place = place;

@@ -12,24 +12,24 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// The multibodies of a world that turn as one body, each with its proxy. A proxy stays, and with it what was chosen
-/// for it, until its multibody is absent from the world during a step. Multibodies are the application's and may
-/// be dead between two calls of synchronize: until then none is looked at.
+/// The multibodies of a world that turn as one body, each with a proxy. The proxy and its settings are kept
+/// until the multibody is absent from the world during a step. The application may delete multibodies between
+/// two calls of synchronize, so none is accessed before the list is synchronized.
 class Multibodies {
  public:
-  /// Has none in a world that holds no multibodies.
+  /// Stays empty if the world class does not support multibodies.
   explicit Multibodies(btDynamicsWorld& world);
 
-  /// Follows the world's list. Those for which there is no memory are left out.
+  /// Updates the proxies to match the world's list. Skips multibodies if no memory is available for them.
   void synchronize() noexcept;
-  /// Returns whether there are such multibodies.
+  /// Returns true if multibodies were skipped because memory ran out.
   bool lacks_memory() const { return lacks_memory_; }
-  /// Drops the proxies of multibodies that are not in the list, unless memory is lacking.
+  /// Deletes the proxies of multibodies that are not in the world's list, unless memory ran out.
   void forget_absent() noexcept;
-  /// The proxy of a multibody in the world or not, made if there is none.
+  /// Returns the proxy of a multibody, whether or not it is in the world. Creates the proxy if needed.
   /// @throws std::bad_alloc
   MultibodyProxy& proxy_of(btMultiBody& multibody);
-  /// Null if it has none.
+  /// Returns null if the multibody has no proxy.
   const btRigidBody* known_proxy_of(const btMultiBody& multibody) const;
   void world_is_gone() noexcept;
 
@@ -37,12 +37,13 @@ class Multibodies {
   const std::vector<btRigidBody*>& bodies() const { return bodies_; }
   std::size_t size() const { return bodies_.size(); }
   MultibodyProxy& operator[](std::size_t index) const { return MultibodyProxy::of(*bodies_[index]); }
-  /// -1 if it is not among them.
+  /// Returns the index in bodies(), or -1.
   int index_of(const btMultiBody& multibody) const;
-  /// Returns whether the multibody is in the world now and turns as one body, and was so when the list was last followed.
+  /// Returns true if the multibody is in the world and turns as one body, both now and at the last
+  /// synchronize().
   bool has(const btMultiBody& multibody) const;
 
-  /// Null if the world holds no multibodies.
+  /// Returns null if the world class does not support multibodies.
   btMultiBodyDynamicsWorld* world() const { return world_; }
 
  private:
@@ -61,10 +62,10 @@ class Multibodies {
 
   btMultiBodyDynamicsWorld* world_;
   std::unordered_map<const btMultiBody*, Known> known_;
-  std::vector<Listed> listed_;  // the world's list, as last followed
+  std::vector<Listed> listed_;  // the world's list at the last synchronize()
   std::vector<btRigidBody*> bodies_;
   bool lacks_memory_ = false;
-  bool may_have_absent_ = false;  ///< among known_
+  bool may_have_absent_ = false;  ///< known_ may hold absent multibodies
 };
 
 }  // namespace POLHODE_PRECISION

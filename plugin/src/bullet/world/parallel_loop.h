@@ -9,15 +9,16 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Returns whether the application has given Bullet a task scheduler, as a btDiscreteDynamicsWorldMt needs
-/// one, and this is not one of its tasks: they do not nest.
+/// Returns true if the application has given Bullet a task scheduler, as btDiscreteDynamicsWorldMt requires,
+/// and the caller is not one of its tasks, which cannot be nested.
 inline bool bullet_has_threads() {
   const btITaskScheduler* scheduler = btGetTaskScheduler();
   return scheduler != nullptr && scheduler->getNumThreads() > 1 && !btThreadsAreRunning();
 }
 
-/// Calls function(first, last) for parts of [0, count) that together are all of it: on the threads of
-/// Bullet's task scheduler if there is one, else here in one part. `grain`: the longest part for a thread.
+/// Calls function(first, last) for consecutive parts of [0, count), on the threads of Bullet's task
+/// scheduler. Makes one call on this thread if there is no scheduler. `grain` is the longest part for a
+/// thread.
 template <class Function>
 void for_parts(std::size_t count, int grain, const Function& function) {
   struct Body final : btIParallelForBody {

@@ -23,12 +23,13 @@ namespace {
 void require_turns_as_one_body(const btMultiBody& multibody) {
   if (multibody.hasFixedBase() || !is_finalized(multibody)) {
     throw std::invalid_argument(
-        "this btMultiBody does not turn: its base is fixed, or it has not been through finalizeMultiDof");
+        "this btMultiBody cannot be rotated by a scheme: its base is fixed, or finalizeMultiDof() was not "
+        "called");
   }
   if (!turns_as_one_body(multibody)) {
     throw std::invalid_argument(
-        "a btMultiBody with links that move cannot be rotated by a scheme: they turn each other, and Bullet "
-        "turns them all; one without links, or with fixed ones only, can");
+        "a btMultiBody with movable links cannot be rotated by a scheme: valid are multibodies without links "
+        "or with fixed links only");
   }
 }
 
@@ -37,17 +38,17 @@ btMultiBody& require_one_body(btMultiBody& multibody) {
   return multibody;
 }
 
-// Returns the multibody of an object that is no rigid body.
+// Returns the multibody of a collision object that is not a rigid body.
 btMultiBody& require_multibody_of(const btCollisionObject& object) {
   const btMultiBodyLinkCollider* const collider = btMultiBodyLinkCollider::upcast(&object);
   if (collider == nullptr || collider->m_multiBody == nullptr) {
     throw std::invalid_argument(
-        "only a btRigidBody or a btMultiBody can be rotated by a scheme; this collision object is neither");
+        "this collision object cannot be rotated by a scheme: valid are btRigidBody and btMultiBody");
   }
   return require_one_body(*collider->m_multiBody);
 }
 
-// Returns the body that stands for the object in the choices.
+// Returns the body that represents the object in SchemeChoices.
 btRigidBody& require_body(WorldStepper& stepper, btCollisionObject& object) {
   if (btRigidBody* const body = btRigidBody::upcast(&object)) return *body;
   return stepper.proxy_of(require_multibody_of(object));
@@ -56,7 +57,7 @@ btRigidBody& require_body(WorldStepper& stepper, btCollisionObject& object) {
 SchemePointer require_scheme(SchemePointer scheme) {
   if (scheme == nullptr) {
     throw std::invalid_argument(
-        "the scheme is a null pointer: give a scheme, or use release / clear_default_scheme");
+        "the scheme is a null pointer: pass a scheme, or call release or clear_default_scheme");
   }
   return scheme;
 }
@@ -70,7 +71,7 @@ void require_takes_rotors(const RotationScheme& scheme) {
     valid += known->description().name;
   }
   throw std::invalid_argument("the scheme '" + std::string(scheme.description().name) +
-                              "' takes no rotors inside a body: valid are " + valid);
+                              "' takes no rotors: valid are " + valid);
 }
 
 // Returns the scheme that rotates the body.
@@ -78,8 +79,8 @@ SchemePointer require_to_be_rotated(const WorldStepper& stepper, const btRigidBo
   SchemePointer scheme = stepper.treatment_of(body).scheme;
   if (body.isStaticObject() || scheme == nullptr) {
     throw std::invalid_argument(
-        "torque laws and rotors are for bodies that a scheme rotates: this one is static, was released, or "
-        "the world has no default scheme");
+        "this body can have no torque law or rotors, since no scheme rotates it: valid is a body that is not "
+        "static and has a scheme (set_scheme or set_default_scheme)");
   }
   return scheme;
 }
@@ -97,7 +98,8 @@ void set_scheme_of(WorldStepper& stepper, btRigidBody& body, SchemePointer schem
 
 void set_law_of(WorldStepper& stepper, btRigidBody& body, TorqueLaw law, TorqueLawOrder order) {
   if (law == nullptr)
-    throw std::invalid_argument("the torque law is an empty function: give one, or use clear_torque_law");
+    throw std::invalid_argument(
+        "the torque law is an empty function: pass a function, or call clear_torque_law");
   require_to_be_rotated(stepper, body);
   Drive& drive = stepper.make_drive(body);
   drive.law = std::move(law);
@@ -156,11 +158,12 @@ BodyRotation rotation_at(const BodyRegistry::Lane& place) {
   return place.batch->rotation(place.lane);
 }
 
-// A quaternion that a step left keeps its bits.
+// Keeps the bits of a quaternion that comes from a step.
 Quaternion require_orientation(const Quaternion& q_WB) {
   const double norm2 = q_WB.squaredNorm();
   if (!std::isfinite(norm2) || norm2 == 0.0)
-    throw std::invalid_argument("the quaternion q_WB is zero or not finite: give one of length 1");
+    throw std::invalid_argument(
+        "the quaternion q_WB is zero or not finite: valid is a quaternion of length 1");
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   if (std::abs(norm2 - 1.0) <= kRounding) return q_WB;
   return q_WB.normalized();
@@ -203,8 +206,7 @@ void RotationControl::set_scheme(btCollisionObject& body, std::string_view name)
 void RotationControl::set_scheme(btCollisionObject& body, SchemePointer scheme) {
   btRigidBody& rotated = require_body(*stepper_, body);
   if (rotated.isStaticObject()) {
-    throw std::invalid_argument(
-        "a static body (mass 0) does not turn: a scheme can be set for dynamic bodies");
+    throw std::invalid_argument("a scheme cannot rotate a static body (mass 0): valid are dynamic bodies");
   }
   set_scheme_of(*stepper_, rotated, std::move(scheme));
 }
@@ -297,7 +299,7 @@ double RotationControl::time() const {
 
 void RotationControl::set_time(double time_s) {
   if (!std::isfinite(time_s))
-    throw std::invalid_argument("the time is not finite: valid is a finite number, in s");
+    throw std::invalid_argument("the time is not finite: valid is a finite number of seconds");
   stepper_->time_s = time_s;
 }
 
@@ -334,7 +336,7 @@ void RotationControl::set_rotation(btRigidBody& body, const Quaternion& q_WB, co
   const BodyRegistry::Lane place = require_managed(stepper_->find(body));
   const Quaternion unit_q_WB = require_orientation(q_WB);
   if (!(omega_W.norm() <= kMaximumAngularSpeed)) {
-    throw std::invalid_argument("the angular velocity omega_W is not finite or faster than " +
+    throw std::invalid_argument("the angular velocity omega_W is not finite or too large: valid is at most " +
                                 std::to_string(kMaximumAngularSpeed) + " rad/s");
   }
   place.batch->set_rotation(place.lane, unit_q_WB, omega_W);
@@ -347,7 +349,8 @@ Snapshot RotationControl::save(const btRigidBody& body) const {
 
 void RotationControl::restore(btRigidBody& body, const Snapshot& snapshot) {
   if (stepper_->is_attached() && !stepper_->is_in_world(body))
-    throw std::invalid_argument("this body is not in the world: a snapshot is restored after addRigidBody");
+    throw std::invalid_argument(
+        "this body is not in the world: call addRigidBody before restoring a snapshot");
   restore_body(*stepper_, body, snapshot);
 }
 

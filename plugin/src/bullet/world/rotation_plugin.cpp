@@ -17,12 +17,12 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-/// Told by an island manager of ours.
+/// Receives the calls of a ListeningManager.
 class SolveListener {
  public:
-  /// Collision detection is done, the solver comes next; once in each substep.
+  /// Called once in each substep, after collision detection and right before the solver.
   virtual void before_solve() = 0;
-  /// The world is being destroyed.
+  /// Called when the world is being destroyed.
   virtual void world_dies() = 0;
 
  protected:
@@ -39,18 +39,18 @@ void copy_settings(btSimulationIslandManagerMt& from, btSimulationIslandManagerM
   to.setIslandDispatchFunction(from.getIslandDispatchFunction());
 }
 
-// Does what the world does to destroy its own.
+// Destroys an island manager as the world destroys its own.
 void destroy(btSimulationIslandManager& manager) {
   manager.~btSimulationIslandManager();
   btAlignedFree(&manager);
 }
 
-// Ours, whichever class it stands in for.
+// The part of ListeningManager that does not depend on the class that it replaces.
 class Listening {
  public:
   virtual ~Listening() = default;
   virtual void forget_listener() = 0;
-  /// Returns the world's own manager with the present settings; it is no longer ours to destroy.
+  /// Returns the world's own manager with the present settings. Afterwards the caller owns it.
   virtual btSimulationIslandManager& give_back() = 0;
 };
 
@@ -61,7 +61,7 @@ class ListeningManager final : public Manager, public Listening {
       : worlds_own_(&worlds_own), listener_(&listener) {
     copy_settings(worlds_own, *this);
   }
-  // Bullet destroys it with the world.
+  // Called by Bullet when it destroys the world.
   ~ListeningManager() override {
     if (listener_ != nullptr) listener_->world_dies();
     if (worlds_own_ != nullptr) destroy(*worlds_own_);
@@ -87,7 +87,7 @@ class ListeningManager final : public Manager, public Listening {
   SolveListener* listener_;
 };
 
-// Ours, which nobody listens to any more, is as good as the plain one.
+// Also true for one of ours, left in the world without a listener.
 template <class Manager>
 bool is_plain(const btSimulationIslandManager& manager) {
   return typeid(manager) == typeid(Manager) || typeid(manager) == typeid(ListeningManager<Manager>);
@@ -103,43 +103,41 @@ btSimulationIslandManager* listening(btSimulationIslandManager& worlds_own, Solv
   return new (memory) Ours(static_cast<Manager&>(worlds_own), listener);
 }
 
-btSimulationIslandManager* make(btSimulationIslandManager& worlds_own, SolveListener& listener) {
+btSimulationIslandManager* make_listening(btSimulationIslandManager& worlds_own, SolveListener& listener) {
   if (is_plain<btSimulationIslandManager>(worlds_own))
     return listening<btSimulationIslandManager>(worlds_own, listener);
   if (is_plain<btSimulationIslandManagerMt>(worlds_own)) {
     return listening<btSimulationIslandManagerMt>(worlds_own, listener);
   }
   throw std::invalid_argument(
-      "the island manager of this world is of a class of its own, and RotationPlugin would have to take its "
-      "place: put Bullet's own in (btSimulationIslandManager or btSimulationIslandManagerMt), or make the "
-      "world as a RotationWorld");
+      "RotationPlugin cannot replace this world's island manager, which is of a custom class: valid are "
+      "btSimulationIslandManager and btSimulationIslandManagerMt; or use a RotationWorld");
 }
 
 }  // namespace
 
-/// Holds the plugin's two places in the world: the first action, and an island manager in the place of the
-/// world's. Bullet calls the manager's updateActivationState at the start of a solve, and the world destroys
-/// it when it dies. It is an island manager with the world's settings, so nobody who asks the world for it is
-/// misled.
+/// Occupies the plugin's two places in the world: the first action, and the island manager. Bullet calls the
+/// manager's updateActivationState at the start of a solve, and destroys the manager with the world. The
+/// manager has the settings of the one that it replaces, so the application can use it as before.
 class RotationPlugin::Attachment final : public btActionInterface, public SolveListener {
  public:
   explicit Attachment(RotationPlugin& plugin)
       : plugin_(plugin),
         world_(plugin.rotation_.stepper_->world()),
-        manager_(make(*island_manager(world_), *this)) {
+        manager_(make_listening(*island_manager(world_), *this)) {
     island_manager(world_) = manager_;
     world_.addAction(this);
     move_to_front();
   }
 
-  // Bullet removes an action by putting the last one in its place: at the end the order of the others stays.
+  // Moves to the back first: Bullet removes an action by putting the last one in its place.
   ~Attachment() override {
     move_to_back();
     world_.removeAction(this);
     if (manager_ != nullptr) put_back_manager();
   }
 
-  /// Returns false once somebody has replaced the island manager.
+  /// Returns false if the application has replaced the island manager.
   bool is_in_place() const { return island_manager(world_) == manager_; }
 
   void before_solve() override {
@@ -152,14 +150,13 @@ class RotationPlugin::Attachment final : public btActionInterface, public SolveL
   void debugDraw(btIDebugDraw* /*drawer*/) override {}
 
   void world_dies() override {
-    manager_ = nullptr;  // the world destroys it
+    manager_ = nullptr;  // destroyed by the world
     plugin_.rotation_.stepper_->world_is_gone();
-    plugin_.attachment_.reset();  // this object
+    plugin_.attachment_.reset();  // deletes this object
   }
 
  private:
-  // If somebody has replaced ours meanwhile, theirs stays, and ours goes on as a plain one for whoever holds
-  // it.
+  // If the application has replaced our manager, its manager stays. Ours then works as a plain one.
   void put_back_manager() {
     auto& ours = dynamic_cast<Listening&>(*manager_);
     ours.forget_listener();

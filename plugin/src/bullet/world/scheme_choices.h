@@ -16,19 +16,19 @@ inline namespace POLHODE_PRECISION {
 
 /// How a body is rotated.
 struct Treatment {
-  SchemePointer scheme;    ///< null: by Bullet
-  Drive* drive = nullptr;  ///< null: nothing drives it
+  SchemePointer scheme;    ///< null: Bullet rotates the body
+  Drive* drive = nullptr;  ///< null: no torque law and no rotors
 };
 
-/// Which scheme the application wants for which body, and what drives the body.
+/// The schemes and drives that the application has chosen for the bodies.
 class SchemeChoices {
  public:
-  /// The scheme of every body without a choice of its own; null: Bullet rotates them.
+  /// The scheme of all bodies without a choice of their own; null: Bullet rotates them.
   SchemePointer default_scheme = polhode::default_scheme();
 
-  /// Makes room for a choice, and changes none: to be called before `choose` and `set_drive`.
-  void expect(const btRigidBody& body) { choices_.try_emplace(&body); }
-  /// Null: Bullet rotates the body, and what drove it is forgotten.
+  /// Allocates memory for a choice, without changing any. Call before `choose` and `set_drive`.
+  void reserve(const btRigidBody& body) { choices_.try_emplace(&body); }
+  /// Sets the scheme. Null: Bullet rotates the body, and its drive is deleted.
   void choose(const btRigidBody& body, SchemePointer scheme) noexcept {
     Choice& choice = choice_of_this(body);
     if (scheme == nullptr) choice.drive.reset();
@@ -41,7 +41,7 @@ class SchemeChoices {
     found->second.has_scheme = false;
     if (found->second.drive == nullptr) choices_.erase(found);
   }
-  /// Null: nothing drives the body. The drive before it is gone then.
+  /// Replaces and deletes the drive; null for none.
   void set_drive(const btRigidBody& body, std::unique_ptr<Drive> drive) noexcept {
     choice_of_this(body).drive = std::move(drive);
   }
@@ -53,13 +53,13 @@ class SchemeChoices {
     return {scheme, scheme == nullptr ? nullptr : choice->drive.get()};
   }
 
-  /// Returns whether `choose` said how the body is rotated; else it is the default.
+  /// Returns true if the scheme was set by `choose`, false if the default applies.
   bool has_own_choice(const btRigidBody& body) const {
     const Choice* const choice = find(body);
     return choice != nullptr && choice->has_scheme;
   }
 
-  /// Calls function(drive) for those of bodies that have the default scheme.
+  /// Calls function(drive) for the drives of bodies that use the default scheme.
   template <class Function>
   void for_each_drive_with_default_scheme(const Function& function) const {
     for (const auto& [body, choice] : choices_) {
@@ -74,17 +74,17 @@ class SchemeChoices {
       it = is_present(it->first) ? std::next(it) : choices_.erase(it);
     changed_ = false;
   }
-  /// To be called when bodies have come or gone.
+  /// Call after bodies were added or removed.
   void bodies_changed() { changed_ = true; }
-  /// Returns whether some choice may be of a body that is gone: one was made, or bodies came or went, since
-  /// the last keep_only.
+  /// Returns true if a choice may belong to a body that is gone: since the last keep_only, a choice was made,
+  /// or bodies were added or removed.
   bool changed() const { return changed_ && !choices_.empty(); }
 
  private:
   static constexpr int kNoBody = -1;  // Bullet counts from 0
   struct Choice {
-    int identity = kNoBody;   ///< body_identity: another body may get the address
-    bool has_scheme = false;  ///< else the default one
+    int identity = kNoBody;   ///< body_identity: another body may take the address
+    bool has_scheme = false;  ///< false: the default scheme applies
     SchemePointer scheme;
     std::unique_ptr<Drive> drive;
   };
@@ -94,7 +94,7 @@ class SchemeChoices {
     return found == choices_.end() || found->second.identity != body_identity(body) ? nullptr
                                                                                     : &found->second;
   }
-  // For which there is room. What another body at the address had is forgotten.
+  // Requires memory from `reserve`. Resets the choice of an earlier body at the same address.
   Choice& choice_of_this(const btRigidBody& body) noexcept {
     Choice& choice = choices_.find(&body)->second;
     if (choice.identity != body_identity(body)) {

@@ -14,10 +14,8 @@ btDiscreteDynamicsWorld& require_supported(btDynamicsWorld& world) {
   }
   if (type == BT_DEFORMABLE_MULTIBODY_DYNAMICS_WORLD) {
     throw std::invalid_argument(
-        "the bodies of a btDeformableMultiBodyDynamicsWorld cannot be rotated by a scheme: it steps rigid "
-        "and "
-        "deformable bodies together, in a solver of its own. Put the rigid bodies into another world, such "
-        "as "
+        "the bodies of a btDeformableMultiBodyDynamicsWorld cannot be rotated by a scheme, since its solver "
+        "steps rigid and deformable bodies together: use another world for the rigid bodies, for example a "
         "btSoftMultiBodyDynamicsWorld");
   }
   throw std::invalid_argument(

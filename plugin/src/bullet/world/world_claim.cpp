@@ -9,7 +9,7 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// Worlds may be made and destroyed on several threads.
+// Worlds may be created and destroyed on several threads.
 struct Register {
   std::mutex mutex;
   std::unordered_set<const btDynamicsWorld*> worlds;
@@ -27,9 +27,8 @@ void WorldClaim::claim(const btDynamicsWorld& world) {
   const std::lock_guard<std::mutex> lock(claimed().mutex);
   if (!claimed().worlds.insert(&world).second) {
     throw std::invalid_argument(
-        "this world's bodies are already rotated by a RotationWorld or another RotationPlugin: use its "
-        "rotation(), "
-        "or detach() it first");
+        "a RotationWorld or another RotationPlugin already rotates the bodies of this world: use its "
+        "rotation(), or detach() it first");
   }
   world_ = &world;
 }

@@ -15,7 +15,7 @@ class WorldClaim {
   WorldClaim(const WorldClaim&) = delete;
   WorldClaim& operator=(const WorldClaim&) = delete;
 
-  /// @throws std::invalid_argument if another claim on this world stands.
+  /// @throws std::invalid_argument if another WorldClaim holds this world.
   void claim(const btDynamicsWorld& world);
   void release() noexcept;
   bool holds() const { return world_ != nullptr; }

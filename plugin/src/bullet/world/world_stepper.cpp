@@ -22,10 +22,10 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// Long enough that handing a part to a thread does not show, short enough that the threads end together.
+// Long enough to hide the cost of dispatching a part to a thread, short enough to balance the load.
 constexpr int kBatchesInPart = 32;
 
-// Each stage fetches what it needs of a batch and its bodies while the one before is computed.
+// While one batch is computed, the stages prefetch the next batch and its bodies.
 void prefetch_for_prediction(const Batch& batch) {
   prefetch(&batch, &batch + 1);
   for (const btRigidBody* body : batch.bodies) {
@@ -53,7 +53,7 @@ void prefetch_for_integration(const Batch& batch) {
   }
 }
 
-// Returns those of the lanes that continuous collision detection will not stop in this step.
+// Returns the lanes that continuous collision detection will not clamp in this step.
 LaneBits unclamped(const Batch& batch, LaneBits lanes, const StepContext& context) {
   for (std::size_t lane = 0; lane < kLanes && batch.may_be_clamped.any(); ++lane) {
     if (batch.may_be_clamped[lane] && lanes[lane] && may_be_clamped(*batch.bodies[lane], context.dt))
@@ -76,7 +76,7 @@ btDiscreteDynamicsWorld& WorldStepper::world() const {
 
 void WorldStepper::attach() {
   claim_.claim(world());
-  bullet_of_this_thread();  // made here, where the application may make bodies too
+  bullet_of_this_thread();  // created here, on a thread where the application may create bodies too
   synchronize_all();
 }
 
@@ -118,10 +118,10 @@ void WorldStepper::set_default_scheme(SchemePointer scheme) {
   std::swap(choices_.default_scheme, scheme);
   if (!claim_.holds()) return;
   try {
-    rigid_.registry.expect_choices(choices_);
-    of_multibodies_.registry.expect_choices(choices_);
+    rigid_.registry.reserve_for_choices(choices_);
+    of_multibodies_.registry.reserve_for_choices(choices_);
   } catch (...) {
-    rigid_.registry.expect_nothing();
+    rigid_.registry.cancel_reservations();
     std::swap(choices_.default_scheme, scheme);
     throw;
   }
@@ -131,7 +131,7 @@ void WorldStepper::set_default_scheme(SchemePointer scheme) {
 
 void WorldStepper::choose(btRigidBody& body, SchemePointer scheme) {
   world();
-  choices_.expect(body);
+  choices_.reserve(body);
   restart(body, scheme);
   choices_.choose(body, std::move(scheme));
 }
@@ -151,7 +151,7 @@ void WorldStepper::restart(btRigidBody& body, const SchemePointer& scheme) {
 }
 
 BulletTurn* WorldStepper::bullet_of_this_thread() noexcept {
-  static std::mutex one_at_a_time;  // a btRigidBody in there: its constructor counts bodies
+  static std::mutex one_at_a_time;  // BulletTurn holds a btRigidBody, whose constructor counts bodies
   std::unique_ptr<BulletTurn>& bullet = bullet_of_threads_[btGetCurrentThreadIndex()];
   if (bullet == nullptr) {
     const std::lock_guard<std::mutex> lock(one_at_a_time);
@@ -219,7 +219,7 @@ void WorldStepper::predict_unconstrained_motion(btScalar dt, const BulletsStage&
   some_may_be_clamped_ = true;
 }
 
-// Right after predict_unconstrained_motion.
+// Call right after predict_unconstrained_motion.
 void WorldStepper::create_predictive_contacts(btScalar dt, const BulletsStage& bullet) {
   if (!some_may_be_clamped_) {
     run_for(left_to_bullet_, bodies(), bullet);
@@ -257,7 +257,7 @@ void WorldStepper::before_solve_of_multibodies(btScalar dt) noexcept {
   if (has_incident_) forget_contacts_of_sanitized(of_multibodies_, *world_->getDispatcher());
 }
 
-// The next step will do as well.
+// If memory runs out, the next step does it.
 void WorldStepper::forget_choices_of_gone() noexcept {
   if (!choices_.changed()) return;
   try {
@@ -269,7 +269,7 @@ void WorldStepper::forget_choices_of_gone() noexcept {
   }
 }
 
-// Bodies that have replaced others are left to Bullet until it is.
+// Until this succeeds, bodies that replaced others are left to Bullet.
 bool WorldStepper::apply_choices_if_possible() noexcept {
   try {
     rigid_.registry.apply_choices(choices_);
@@ -302,7 +302,7 @@ void WorldStepper::end_step(btScalar dt) {
 }
 
 void WorldStepper::integrate_transforms(btScalar dt, const BulletsStage& bullet) {
-  // Bullet's speculative contact restitution wants to integrate every body itself.
+  // Bullet's speculative contact restitution requires Bullet to integrate every body.
   if (world_->getApplySpeculativeContactRestitution()) {
     bullet();
     after_integration(dt);
@@ -327,7 +327,7 @@ void WorldStepper::synchronize_motion_states(const BulletsStage& bullet) {
     show_swollen_bodies();
     return;
   }
-  // A motion state may add or remove bodies: nothing is assumed of the list from one body to the next.
+  // A motion state may add or remove bodies, so the list is read again for each body.
   constexpr int kAhead = 6;
   for (int i = 0; i < bodies().size(); ++i) {
     if (i + 2 * kAhead < bodies().size()) prefetch_for_motion_state(*bodies()[i + 2 * kAhead]);
