@@ -20,7 +20,7 @@ void read_solved(const BodyPointers& bodies, PoseIntegratedBy integrator, btScal
                  Solved& solved, WideStepInput& input) noexcept {
   const BulletRows omega_W = gather(bodies, angular_velocity);
   const bool by_bullet = integrator == PoseIntegratedBy::bullet;
-  // Bullet may have changed the velocity since it integrated (speculative contact restitution).
+  // Bullet may have changed the velocity after integrating with it (speculative contact restitution).
   solved.omega_W = by_bullet ? gather(bodies, interpolation_angular_velocity) : omega_W;
   solved.shown_later_W = omega_W;
   solved.linear_velocity = gather(bodies, linear_velocity);
@@ -43,7 +43,7 @@ void read_solved(const BodyPointers& bodies, PoseIntegratedBy integrator, btScal
   input = {batch.inertia_B(), change_W, Wide(static_cast<double>(dt))};
 }
 
-// The application's flags and torques, which the solver had others for.
+// Restores the application's flags and torques, which were replaced for the solve.
 void restore(const Batch& batch, const LaneBits& lanes) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
     if (!lanes[lane]) continue;
@@ -53,12 +53,12 @@ void restore(const Batch& batch, const LaneBits& lanes) {
   }
 }
 
-// The body and where it has come to. Where the library integrates, that is not in the body yet.
+// Also checks the origin at the end of the step, which the body does not hold yet if the library integrates.
 bool ends_finite(const btRigidBody& body, const Solved& solved, std::size_t lane) {
   return solved.finite[lane] || (is_finite(body) && are_finite(vector_in_lane(solved.origin, lane)));
 }
 
-// Lanes whose body still moves, with finite numbers. The others take no step.
+// Returns the lanes whose body still moves and is finite. The others take no step.
 LaneBits lanes_to_step(Batch& batch, const LaneBits& lanes, const Solved& solved) {
   LaneBits stepping = lanes;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -75,7 +75,7 @@ LaneBits lanes_to_step(Batch& batch, const LaneBits& lanes, const Solved& solved
   return stepping;
 }
 
-// The velocity of the turn: the one that the solver was given, in double, and what it changed.
+// Computes the turn velocity: the velocity given to the solver, in double, plus the solver's change.
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_turn_velocity(const Batch& batch, const Solved& solved, const Vector3Wide& d_W,
                         Vector3Wide& result) noexcept {
@@ -84,13 +84,13 @@ void find_turn_velocity(const Batch& batch, const Solved& solved, const Vector3W
   result = select(wide_mask(batch.given_torque), to_double(solved.omega_W), Vector3Wide(result + d_W));
 }
 
-// Returns the momentum gained by d: I_W(q) d, or M d where the solver had the effective inertia.
+// Returns the momentum gained with d: I_W(q) d, or M d if the solver had the effective inertia.
 Vector3Wide momentum_gain_W(const Batch& batch, const Vector3Wide& d_W, const BulletRows& torque_W,
                             const Wide& dt) {
   const Matrix3Wide R_WB = batch.q_WB.toRotationMatrix();
   const Vector3Wide plain_W = formulas::times_inertia_W(R_WB, batch.inertia_B(), d_W);
   if (batch.given_effective.none()) return plain_W;
-  // Bullet multiplies a torque by the transposed inverse inertia: the same only where that is symmetric.
+  // Bullet multiplies a torque by the transposed inverse inertia, which differs unless that is symmetric.
   const Matrix3Wide& M_W = batch.effective->M_W;
   const Vector3Wide impulse_W = to_double(torque_W) * dt;
   const Vector3Wide by_torque_W = formulas::inverse_transposed(M_W) * impulse_W;
@@ -98,7 +98,7 @@ Vector3Wide momentum_gain_W(const Batch& batch, const Vector3Wide& d_W, const Bu
   return select(wide_mask(batch.given_effective), effective_W, plain_W);
 }
 
-// L' of lanes whose orientation has turned by velocity_W = (what the solver was given) + d_W.
+// Computes L' of lanes whose orientation has turned by velocity_W = (the velocity given to the solver) + d_W.
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_turned_momentum(const Batch& batch, const BodyPointers& bodies, const Vector3Wide& velocity_W,
                           const Vector3Wide& d_W, const Wide& dt, WideState& turned) noexcept {
@@ -120,7 +120,7 @@ void select_turned(const LaneBits& lanes, const WideState& turned, const Vector3
   result.mean_W = select(mask, velocity_W, result.mean_W);
 }
 
-// Constrained bodies turn by the velocity that the solver found for them.
+// Rotates constrained bodies by the velocity that the solver computed.
 void turn_by_solved(Batch& batch, const LaneBits& lanes, const WideStepInput& input, const Solved& solved,
                     const StepContext& context, StepResult& result) {
   Vector3Wide velocity_W;
@@ -138,8 +138,8 @@ LaneBits lanes_that_turn_by_solved(const Batch& batch, const Solved& solved) {
   return batch.given_torque;
 }
 
-// Bullet's velocity tells of a torque to rounding only, and of a weak one not at all. Where nothing else
-// acted, the kick is the torque's in double.
+// Bullet rounds the change of velocity by a torque, and loses that of a weak torque. If nothing else acted,
+// computes the kick from the torque in double instead.
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void refine_kick(const Batch& batch, const BodyPointers& bodies, const LaneBits& lanes, const Solved& solved,
                  WideStepInput& input) noexcept {

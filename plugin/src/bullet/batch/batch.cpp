@@ -22,7 +22,7 @@ void load_state(const Batch& batch, WideState& state) noexcept {
   if (batch.driven != nullptr) state.rotor_momentum_B = batch.driven->rotor_momentum_B();
 }
 
-// change(lane, state) for each of the lanes, one by one.
+// Calls change(lane, state) for each of the lanes.
 template <class Change>
 void change_lanes(const LaneBits& lanes, WideState& state, const Change& change) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -202,7 +202,8 @@ WideState Batch::wide_state() const {
 BodyRotation Batch::rotation(std::size_t lane) const {
   RotationState now = state(lane);
   if (!diverged[lane] && is_finite(*bodies[lane])) adopt_external_changes(*this, lane, now);
-  // With a velocity or moment near the largest double, L or the energy overflows: the next step stops the body.
+  // With a velocity or moment near the largest double, L or the energy overflows. The next step stops the
+  // body.
   if (!std::isfinite(now.energy())) {
     now.omega_W.setZero();
     now.L_W = with_rotor(now, Vector3::Zero());

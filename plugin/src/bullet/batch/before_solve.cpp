@@ -13,12 +13,12 @@ constexpr int kGyroscopicFlags = BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT |
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD |
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 
-// Bullet switches a body off over a bounding box that is not finite.
+// Bullet deactivates a body whose bounding box is not finite.
 bool is_switched_off_by_nan(const btRigidBody& body) {
   return body.getActivationState() == DISABLE_SIMULATION && !is_finite(body);
 }
 
-// Lanes that move, and whose step predict has not begun.
+// Returns the lanes whose body moves and whose step predict has not begun.
 LaneBits lanes_to_begin(const Batch& batch) {
   LaneBits lanes;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -29,9 +29,9 @@ LaneBits lanes_to_begin(const Batch& batch) {
   return lanes;
 }
 
-// Lanes whose body was looked at by begin_step, now or in predict, and is still the same. In collision detection
-// Bullet switches off a body whose bounding box is too large for it: that one takes no step. One that is not finite
-// is taken along, to be set back.
+// Returns the lanes whose step has begun and whose body is still the same. During collision detection Bullet
+// deactivates a body whose bounding box is too large; such a body takes no step. Keeps bodies that are not
+// finite, so that they are sanitized.
 LaneBits lanes_to_solve(Batch& batch) {
   LaneBits lanes = batch.begun & ~batch.in_solve;
   batch.has_replaced_bodies = false;
@@ -55,14 +55,14 @@ void clear_gyroscopic_flags(Batch& batch, std::size_t lane) {
   if (batch.gyroscopic_flags[lane] != 0) body.setFlags(flags & ~kGyroscopicFlags);
 }
 
-// With the flags that clear_gyroscopic_flags took.
+// Restores the flags cleared by clear_gyroscopic_flags.
 void leave_to_bullet(Batch& batch, std::size_t lane) {
   btRigidBody& body = *batch.bodies[lane];
   body.setFlags(body.getFlags() | batch.gyroscopic_flags[lane]);
   batch.leave_step(lane);
 }
 
-// A body whose mark is missing counts as constrained: that costs a free one a rounding error.
+// Treats a body without a mark as constrained, which costs a free body only a rounding error.
 LaneBits constrained_lanes(const Batch& batch, const LaneBits& lanes, const StepContext& context) {
   LaneBits constrained;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -89,7 +89,7 @@ void find_gyroscopic_torque(const Batch& batch, const Vector3Wide& end_omega_W, 
   torque_W = to_bullet(Vector3Wide(formulas::times_inertia_W(R_WB, batch.inertia_B(), change_W) / dt));
 }
 
-// The end of the free step, and what of it is not the scheme's.
+// Returns the end of the free step. Stores the contribution of torque law and motors.
 WideState free_end(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   WideState end = batch.wide_state();
   batch.step(lanes, batch.free_input(context.dt), end, nullptr);
@@ -97,8 +97,8 @@ WideState free_end(Batch& batch, const LaneBits& lanes, const StepContext& conte
   return end;
 }
 
-// Schemes that carry omega hand their gyroscopic change to the solver as Bullet's own flags do, as the
-// impulse of a torque: then contacts and joints get to know of it where they would of Bullet's.
+// Gives the gyroscopic change of a scheme that carries omega to the solver as the impulse of a torque, as
+// Bullet's own flags do, so that contacts and joints respond to it in the same way.
 void give_gyroscopic_torque(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   if (context.dt == btScalar(0) || make_if_null(batch.applied_torque_W) == nullptr) return;
   const WideState end = free_end(batch, lanes, context);
@@ -115,12 +115,12 @@ void give_gyroscopic_torque(Batch& batch, const LaneBits& lanes, const StepConte
   }
 }
 
-// omega, with what drives the body in the step; the free end of that is known.
+// Returns omega plus the change by torque law and motors. Call after free_end.
 Vector3Wide start_velocity_W(const Batch& batch) {
   return batch.driven == nullptr ? batch.omega_W : omega_with_gain_W(batch);
 }
 
-// Schemes that turn by the velocity at the start: constrained bodies still show the one of the last turn.
+// For schemes that turn by the start velocity: a constrained body still holds the velocity of its last turn.
 void give_start_velocity(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   if (batch.driven != nullptr) free_end(batch, lanes, context);
   write_given(body_pointers(batch, lanes, context.bullet.placeholder()), lanes, start_velocity_W(batch),
@@ -140,7 +140,7 @@ void write_inverse_inertia(const BodyPointers& bodies, const Matrix3Wide& invers
   scatter_basis(to_bullet(inverse_W), bodies, inverse_inertia_tensor_W);
 }
 
-// Bodies so slow that the free step changes neither their velocity nor their inertia by more than
+// Finds bodies so slow that the free step changes neither their velocity nor their inertia by more than
 // kNegligible.
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_slow(const Batch& batch, const Wide& dt, LaneBits& slow) noexcept {
@@ -160,7 +160,7 @@ Wide antisymmetric_limits(const Batch& batch, double without_rotors, bool takes_
   return limits;
 }
 
-// Schemes whose turn has no constant velocity: constrained bodies are given the mean one.
+// For schemes whose turn has no constant velocity: gives constrained bodies the mean velocity.
 void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& context) {
   if (make_if_null(batch.effective) == nullptr) {
     give_start_velocity(batch, lanes, context);
@@ -191,7 +191,7 @@ void give_mean_velocity(Batch& batch, const LaneBits& lanes, const StepContext& 
 }
 
 void give_constrained(Batch& batch, const LaneBits& lanes, const StepContext& context) {
-  if (batch.driven != nullptr) {  // slow bodies too may be under a torque, or have a fast rotor
+  if (batch.driven != nullptr) {  // slow bodies too may have a torque or a fast rotor
     give_mean_velocity(batch, lanes, context);
     return;
   }

@@ -10,8 +10,8 @@ inline namespace POLHODE_PRECISION {
 namespace {
 
 struct Found {
-  LaneBits changed;  // by somebody else since the library last wrote the body, in more than its velocity
-  LaneBits kicked;   // in its velocity
+  LaneBits changed;  // other changes than of velocity since the library last wrote the body
+  LaneBits kicked;   // changes of velocity
   LaneBits finite;
   LaneBits held;
 };
@@ -41,7 +41,7 @@ void compare_with_written(const BodyPointers& bodies, const LaneBits& lanes, Bat
   found.held = are_held(inverse_B, gather(bodies, angular_factor)).lanes();
 }
 
-// adopt_external_changes for lanes where it is the velocity alone.
+// Does adopt_external_changes for lanes in which only the velocity changed.
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void adopt_kicks(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch) noexcept {
   const BulletRows omega_W = gather(bodies, angular_velocity);
@@ -57,9 +57,9 @@ void adopt_kicks(const BodyPointers& bodies, const LaneBits& lanes, Batch& batch
   batch.written_omega_W = select(bullet_mask(lanes), omega_W, batch.written_omega_W);
 }
 
-// Bullet has multiplied the velocity by the factor: that is damping, not a change by somebody else. A factor
-// that leaves the finite (a damping of 1 in a step back in time) is left to be found as such: the velocity
-// that was written is what a body is then set back to.
+// Bullet has multiplied the velocity by the damping factor, which is not an external change. If the factor
+// makes a velocity infinite (a damping of 1 in a step back in time), the lane keeps its values: sanitize then
+// restores the velocity last written.
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void scale_velocity(const LaneBits& damped, const BulletWide& factor, const Vector3Wide& damped_L_W,
                     Batch& batch) noexcept {
@@ -73,7 +73,7 @@ void scale_velocity(const LaneBits& damped, const BulletWide& factor, const Vect
   batch.L_W = select(mask, damped_L_W, batch.L_W);
 }
 
-// Damping slows the body, not its rotors: L = f (L - R h) + R h.
+// Damping slows the body but not its rotors: L = f (L - R h) + R h.
 Vector3Wide damped_momentum_W(const Batch& batch, const Wide& factor) {
   if (batch.driven == nullptr) return batch.L_W * factor;
   const WideState state = batch.wide_state();
@@ -106,7 +106,7 @@ void adopt_changes(Batch& batch, const LaneBits& lanes, const StepContext& conte
   Found found;
   compare_with_written(bodies, lanes, batch, found);
   LaneBits only_kicked = lanes & found.kicked & found.finite & ~found.changed & ~found.held;
-  if (batch.driven != nullptr) only_kicked = LaneBits();  // their momentum has the rotors' part
+  if (batch.driven != nullptr) only_kicked = LaneBits();  // adopt_kicks ignores the rotors' momentum
   const LaneBits others = lanes & (found.changed | found.kicked | ~found.finite) & ~only_kicked;
   if (only_kicked.any()) adopt_kicks(bodies, only_kicked, batch);
   for (std::size_t lane = 0; lane < kLanes && others.any(); ++lane) {

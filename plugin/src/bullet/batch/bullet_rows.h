@@ -10,7 +10,7 @@
 #include "simd/gather.h"
 #include "simd/lane_bits.h"
 
-/// Gathers and scatters the vectors and matrices of eight of Bullet's bodies, in Bullet's precision.
+/// Gathers and scatters the vectors and matrices of eight Bullet bodies, in Bullet's precision.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
@@ -48,7 +48,7 @@ POLHODE_INLINE BulletRows select(const BulletMask& mask, const BulletRows& a, co
 /// @}
 
 /// @name Gather and scatter
-/// `get(body)` is a btVector3, btMatrix3x3 or btTransform of the body.
+/// `get(body)` returns a btVector3, btMatrix3x3 or btTransform of the body.
 /// @{
 template <class Get>
 POLHODE_INLINE BulletRows gather(const BodyPointers& bodies, Get get) {
@@ -90,7 +90,7 @@ POLHODE_INLINE void scatter_transform(const BulletBasis& bases, const BulletRows
 }
 /// @}
 
-/// @name What is gathered
+/// @name Members to gather and scatter
 /// @{
 inline btTransform& pose(btRigidBody& body) {
   return body.getWorldTransform();
@@ -122,7 +122,7 @@ inline btVector3& total_torque(btRigidBody& body) {
 /// @}
 
 /// @name Between Bullet's precision and double
-/// Rounds as static_cast does; from Bullet to double nothing is lost.
+/// Rounds like static_cast. Conversion to double is exact.
 /// @{
 POLHODE_INLINE BulletRows to_bullet(const Vector3Wide& v) {
   return {BulletWide::converted(v[0]), BulletWide::converted(v[1]), BulletWide::converted(v[2])};
@@ -136,7 +136,7 @@ POLHODE_INLINE Vector3Wide to_double(const BulletRows& v) {
 }
 /// @}
 
-/// @name Comparison of bits
+/// @name Bitwise comparison
 /// @{
 POLHODE_INLINE void add_differences(const BulletRows& a, const BulletRows& b, BulletDifferences& result) {
   result.add(a.x, b.x);
@@ -150,13 +150,13 @@ POLHODE_INLINE void add_differences(const BulletBasis& a, const BulletBasis& b, 
 }
 /// @}
 
-/// Fast check of all the numbers at once; may return false for huge ones.
+/// Checks all numbers at once. May return false for huge finite numbers.
 template <class... Rows>
 POLHODE_INLINE BulletMask are_surely_finite(const Rows&... rows) {
   return ((rows.x + rows.y + rows.z) + ...) * btScalar(0.0) == btScalar(0.0);
 }
 
-/// I_W^-1 = R I_B^-1 R^T in Bullet's precision, as btRigidBody::updateInertiaTensor forms it.
+/// Returns I_W^-1 = R I_B^-1 R^T in Bullet's precision, with the formula of btRigidBody::updateInertiaTensor.
 POLHODE_INLINE BulletBasis inverse_inertia_basis_W(const BulletBasis& basis,
                                                    const BulletRows& inverse_inertia_B) {
   const auto dot = [](const BulletRows& a, const BulletRows& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };

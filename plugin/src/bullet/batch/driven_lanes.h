@@ -13,39 +13,40 @@ inline namespace POLHODE_PRECISION {
 struct Batch;
 struct StepContext;
 
-/// The numbers that a batch keeps of bodies that have a Drive. Bodies with and without one are never in the same
-/// batch, so that the latter pay nothing.
+/// Data of a batch whose bodies have a Drive. Bodies without a Drive are kept in other batches, where drives
+/// cost nothing.
 struct DrivenLanes {
-  std::array<Drive*, kLanes> drives{};  ///< null in a hole; SchemeChoices holds them
+  std::array<Drive*, kLanes> drives{};  ///< null in a hole; owned by SchemeChoices
 
-  // The step under way.
+  // The present step.
   std::array<StepStart, kLanes> starts{};
-  std::array<std::optional<Torque>, kLanes> last_torques;  ///< Drive::last_torque of the next step
+  std::array<std::optional<Torque>, kLanes> last_torques;  ///< Drive::last_torque for the next step
   LaneBits law_failed;
 
-  // Of constrained lanes: what the free step would change.
-  std::array<Vector3, kLanes> gain_W{};  ///< of L_W
+  // The changes by the free step of constrained lanes.
+  std::array<Vector3, kLanes> gain_W{};  ///< change of L_W
   std::array<Vector3, kLanes> rotor_end_B{};
 
-  /// Takes over all but the drive, which is there already.
+  /// Copies everything but the drive, which must be set already.
   void move_from(const DrivenLanes& other, std::size_t from, std::size_t to);
-  /// Those of the lanes whose step is not the scheme's own alone.
+  /// Returns the lanes whose drive acts, so that the scheme's own step is not enough.
   LaneBits acting(const LaneBits& lanes) const;
   Vector3Wide rotor_momentum_B() const;
 };
 
-/// @name For lanes of a batch with driven lanes
+/// @name Functions for a batch with driven lanes
 /// @{
-/// Right before the solve.
+/// Records the start of the step. Call right before the solve.
 void begin_drive(Batch& batch, const LaneBits& lanes, const StepContext& context);
-/// Notes what the free step, which ends in `end`, changes.
+/// Stores the changes by the free step, which ends in `end`.
 void keep_gain(Batch& batch, const LaneBits& lanes, const WideState& end);
-/// omega_W, and what the gain adds to it at the orientation of the start.
+/// Returns omega_W plus the velocity change by the gain, at the orientation at the start.
 Vector3Wide omega_with_gain_W(const Batch& batch);
-/// The rotors, and in the lanes what they have at the end.
+/// Returns the rotors' momentum: in the given lanes that at the end of the step, in the others the present
+/// one.
 Vector3Wide rotor_end_B(const Batch& batch, const LaneBits& lanes);
 Vector3Wide gain_W(const Batch& batch);
-/// The step has been taken: its rotors and torques are those of the next start.
+/// Stores the rotors' momentum and the torques at the end of the step, and notes failed laws.
 void end_drive(Batch& batch, const LaneBits& lanes, const WideState& end);
 /// @}
 

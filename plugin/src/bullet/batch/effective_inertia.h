@@ -2,8 +2,8 @@
 
 #include "math/rotation.h"
 
-/// The body as it will turn in a step, which is what the solver is told of a constrained body. Real is double
-/// or Wide.
+/// The effective inertia of a body that turns during a step, given to the solver for a constrained body. Real
+/// is double or Wide.
 ///
 /// The free step from (q, L) to q' is a turn by the constant velocity u = log(q' q^-1)/dt. To change u, the
 /// momentum has to change by dL = M du (implicit midpoint rule; the Jacobian of the exercise's eq. 9 at half
@@ -11,8 +11,8 @@
 ///
 ///   M = I_mid + G,   G = (dt/2) (I_mid [u] - [L]),   I_mid = R I_B R^T at q_mid = exp(u dt/2) q
 ///
-/// It is not symmetric. Bullet's row solvers take M^-1 for the inverse inertia as long as G is small beside
-/// I.
+/// M is not symmetric. Bullet's row solvers accept M^-1 as the inverse inertia as long as G is small compared
+/// with I.
 namespace polhode {
 
 template <class Real>
@@ -21,30 +21,31 @@ struct EffectiveInertia {
   formulas::Matrix<Real> M_W;  ///< kg m^2
 };
 
-/// The step resolves the gyroscopic motion of a constrained body while G is this small beside I. With
-/// B = I^-1/2 G I^-1/2, every eigenvalue of its symmetric part above -symmetric, and the axial vector of its
-/// antisymmetric part shorter than `antisymmetric`.
+/// Limits of G relative to I within which the step resolves the gyroscopic motion of a constrained body. With
+/// B = I^-1/2 G I^-1/2, every eigenvalue of the symmetric part of B must exceed -symmetric, and the axial
+/// vector of the antisymmetric part must be shorter than `antisymmetric`.
 struct ResolutionLimits {
   double symmetric;
   double antisymmetric;
 };
-/// For solvers that take M. A wider symmetric limit lets hinges and locked axes gain energy (beyond half a
-/// radian a step a factor of 1.6 and 1.8 at 0.5, of 1.24 and 1.25 at 0.3). A narrower one drops the
-/// gyroscopic term sooner (at 0.2 a floating frame with a rod of ratio 10 at 30 rad/s loses its momentum, at
-/// 0.3 it keeps it).
+/// Limits for solvers that accept M. With a wider symmetric limit, hinges and locked axes gain energy (beyond
+/// half a radian a step, by factors of 1.6 and 1.8 at 0.5, of 1.24 and 1.25 at 0.3). A narrower limit drops
+/// the gyroscopic term sooner (a floating frame with a rod of ratio 10 at 30 rad/s loses its momentum at 0.2
+/// and keeps it at 0.3).
 inline constexpr ResolutionLimits kResolvedWithM = {0.3, 0.8};
-/// For solvers that assume a symmetric matrix: they are given u and the plain inertia.
+/// Limits for solvers that assume a symmetric matrix, which are given u and the plain inertia.
 inline constexpr ResolutionLimits kResolvedWithoutM = {0.4, 0.4};
 
-/// The antisymmetric limit of a body with rotors, whose part of G is antisymmetric: it does no work. Wheels inside a
-/// hinge, a gimbal and a weld: at 1.6 energy at most 1.34 and the weld 0.01 rad apart, at 2.2 1.04 and 0.1 rad, beyond
-/// 3.2 energy leaps up at times. Unresolved, a gyroscope would fall.
+/// Antisymmetric limit for a body with rotors. It is wider, since the rotors' part of G is antisymmetric and
+/// does no work. Measured with wheels inside a hinge, a gimbal and a weld: at a limit of 1.6 energy grows by a
+/// factor of at most 1.34 and the weld opens by 0.01 rad, at 2.2 by 1.04 and 0.1 rad; beyond 3.2 energy
+/// sometimes leaps up. A gyroscope without its gyroscopic term would fall.
 inline constexpr double kResolvedWithRotors = 1.5;
 
-/// Below this, relative to I, G makes no difference: resting, slow and spherical bodies.
+/// Below this size relative to I, G is neglected: for resting, slow and spherical bodies.
 inline constexpr double kNegligible = 1e-5;
 
-/// (dt/2) (I_B [u_B] - [L_B]) at q_mid, in body axes.
+/// Returns (dt/2) (I_B [u_B] - [L_B]) at q_mid, in body axes.
 template <class Real>
 POLHODE_INLINE formulas::Matrix<Real> gyroscopic_matrix_B(const formulas::Vector<Real>& inertia_B,
                                                           const formulas::Vector<Real>& u_B,
@@ -69,10 +70,10 @@ struct EffectiveInertiaResult {
   EffectiveInertia<Real> effective;
   formulas::Matrix<Real> inverse_W;  ///< M^-1
   Mask is_resolved;
-  Mask is_negligible;  ///< G is; M is then the plain inertia at the start of the step
+  Mask is_negligible;  ///< G is negligible: M is the plain inertia at the start of the step
 };
 
-/// q_WB and L_W: at the start of the step.
+/// Computes M from q_WB and L_W at the start of the step.
 template <class Real>
 POLHODE_INLINE EffectiveInertiaResult<Real> effective_inertia(const formulas::UnitQuaternion<Real>& q_WB,
                                                               const formulas::Vector<Real>& L_W,
@@ -88,7 +89,7 @@ POLHODE_INLINE EffectiveInertiaResult<Real> effective_inertia(const formulas::Un
   const Matrix R_mid = formulas::normalized(turn_to_mid_W * q_WB).toRotationMatrix();
   const Matrix G = gyroscopic_matrix_B<Real>(inertia_B, R_mid.transpose() * u_W, R_mid.transpose() * L_W, dt);
 
-  // B = I^-1/2 G I^-1/2 has no diagonal.
+  // B = I^-1/2 G I^-1/2 has a zero diagonal.
   const auto scaled = [&](int i, int j) { return Real(G(i, j) / sqrt(Real(inertia_B[i] * inertia_B[j]))); };
   const Real B01 = scaled(0, 1), B10 = scaled(1, 0), B12 = scaled(1, 2), B21 = scaled(2, 1),
              B20 = scaled(2, 0), B02 = scaled(0, 2);

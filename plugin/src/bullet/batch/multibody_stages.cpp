@@ -9,7 +9,7 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// function(proxy, lane) for those of the lanes that have a body.
+// Calls function(proxy, lane) for the given lanes that have a body.
 template <class Function>
 void for_proxies(const Batch& batch, LaneBits lanes, const Function& function) {
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -17,7 +17,7 @@ void for_proxies(const Batch& batch, LaneBits lanes, const Function& function) {
   }
 }
 
-// Diverged ones, and those that woke within the step.
+// Handles diverged multibodies, and those that woke up within the step.
 void sanitize_multibodies_left_to_bullet(Batch& batch, const LaneBits& lanes) {
   for_proxies(batch, lanes, [](MultibodyProxy& proxy, std::size_t) {
     if (!proxy.is_multibody_finite()) proxy.read();

@@ -3,17 +3,17 @@
 #include "bullet/batch/batch.h"
 #include "bullet/batch/step_context.h"
 
-/// The stages of a batch whose bodies are the proxies of multibodies (MultibodyProxy): those of stages.h, between
-/// reading the multibodies and writing them.
+/// The stages of a batch of multibody proxies (MultibodyProxy): those of stages.h, between reading and
+/// writing the multibodies.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 void prefetch_multibodies(const Batch& batch);
 
-/// Right before the solver, which then starts from the velocities that the batch wants.
+/// Gives the solver the velocities that the scheme wants. Call right before the solve.
 void before_solve_of_multibodies(Batch& batch, const StepContext& context) noexcept;
 
-/// When Bullet has integrated the multibodies: takes the step and writes it over Bullet's.
+/// Takes the step and overwrites Bullet's result. Call after Bullet has integrated the multibodies.
 void after_integration_of_multibodies(Batch& batch, const StepContext& context) noexcept;
 
 }  // namespace POLHODE_PRECISION

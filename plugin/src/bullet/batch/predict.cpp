@@ -9,8 +9,9 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// formulas::turn_like_bullet to rounding, without its sine, cosine and division by the speed: past the limit
-// Bullet takes sine and cosine of the limit, keeps the length of omega, and then normalises.
+// Agrees with formulas::turn_like_bullet up to rounding, without its sine, cosine and division by the speed.
+// Beyond the limit, Bullet takes sine and cosine of the limit, keeps the length of omega, and then
+// normalizes.
 POLHODE_INLINE QuaternionWide predicted_q_WB(const QuaternionWide& q_WB, const Vector3Wide& omega_W,
                                              const Wide& dt) {
   const Wide half_angle2 = omega_W.squaredNorm() * (0.25 * dt * dt);
@@ -47,7 +48,8 @@ LaneBits predict(Batch& batch, const StepContext& context) noexcept {
     if (!lanes[lane]) continue;
     damp(*body, context.dt);
     batch.may_be_clamped.set(lane, body->getCcdSquareMotionThreshold() != btScalar(0));
-    if (batch.may_be_clamped[lane]) body->setHitFraction(btScalar(1));  // as Bullet's loop, which may skip it
+    // Bullet's loop resets the fraction, but may skip this body.
+    if (batch.may_be_clamped[lane]) body->setHitFraction(btScalar(1));
   }
   if (lanes.none()) return lanes;
   begin_step(batch, lanes, context);

@@ -8,26 +8,25 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Tells who moved a body's pose after the solve.
+/// Who integrated the pose of a body after the solve.
 enum class PoseIntegratedBy {
-  bullet,   ///< Bullet's integrateTransforms: its turn is replaced
-  library,  ///< nobody yet: Bullet's loop skipped the body
+  bullet,   ///< Bullet's integrateTransforms: the library replaces its turn
+  library,  ///< nobody yet, since Bullet's loop skipped the body: the library integrates the pose
 };
 
-/// The values that all bodies of a step share.
+/// Values that all bodies of a step share.
 struct StepContext {
   btScalar dt;
-  /// 1 for a body with an enabled joint or a contact point, by btCollisionObject::getWorldArrayIndex. Too
-  /// short if there was no memory for it.
+  /// Marks of constrained bodies (constrained_bodies.h). Too short if memory ran out.
   const std::vector<char>& is_constrained;
   /// False for solvers that assume a symmetric inverse inertia.
   bool solver_takes_effective_inertia;
-  double time_s;  ///< at the start of the step, since the world's time began
-  /// This thread's own.
+  double time_s;  ///< time passed to torque laws, at the start of the step
+  /// Owned by this thread during the step.
   BulletTurn& bullet;
 };
 
-/// Returns whether Bullet's solver and integration move the body at present.
+/// Returns true if Bullet's solver and integration move the body at present.
 inline bool moves(const btRigidBody& body) {
   return body.isActive() && !body.isStaticOrKinematicObject();
 }

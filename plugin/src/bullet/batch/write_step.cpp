@@ -13,7 +13,7 @@ POLHODE_FOR_EACH_INSTRUCTION_SET
 void find_within_limits(const WideState& state, LaneBits& result) noexcept {
   const Vector3Wide columns2(state.R_WB.col(0).squaredNorm(), state.R_WB.col(1).squaredNorm(),
                              state.R_WB.col(2).squaredNorm());
-  // 0 times a finite number is 0, times any other NaN.
+  // 0 times a finite number is 0; 0 times infinity or NaN is NaN.
   const Wide q2 = state.q_WB.coeffs().squaredNorm();
   const Wide probe = (q2 + columns2[0] + columns2[1] + columns2[2]) * Wide(0.0) +
                      Wide(state.omega_W.dot(state.L_W)) * Wide(0.0);
@@ -48,8 +48,8 @@ void scatter_step(const Batch& batch, const BodyPointers& bodies, const BulletRo
   scatter(to_bullet(mean_W), bodies, interpolation_angular_velocity);
 }
 
-// A change of velocity that came after Bullet's integration is not part of this step: it stays, and counts as
-// an external change in the next.
+// Keeps velocity changes after Bullet's integration out of this step. The next step adopts them as external
+// changes.
 void keep_later_kicks(const Batch& batch, const LaneBits& lanes, const Solved& solved) {
   BulletDifferences differences;
   add_differences(solved.shown_later_W, solved.omega_W, differences);
@@ -62,7 +62,7 @@ void keep_later_kicks(const Batch& batch, const LaneBits& lanes, const Solved& s
   }
 }
 
-// A spin without bound would fling the neighbours away.
+// Stops a diverged body: an unbounded spin would fling its neighbours away.
 void stop(Batch& batch, std::size_t lane, const Solved& solved) {
   btRigidBody& body = *batch.bodies[lane];
   batch.diverged.set(lane);
