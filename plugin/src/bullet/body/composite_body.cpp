@@ -22,7 +22,7 @@ Matrix3 point_inertia(double mass, const Vector3& r) {
   return mass * (r.squaredNorm() * Matrix3::Identity() - r * r.transpose());
 }
 
-// Returns whether the value was another one.
+// Assigns the value. Returns true if the old value was different.
 template <class Value>
 bool replace(const Value& value, Value& kept) {
   const bool is_other = !(value == kept);
@@ -32,7 +32,7 @@ bool replace(const Value& value, Value& kept) {
 
 }  // namespace
 
-// With global velocities, links go on with those of the last step.
+// With global velocities, Bullet keeps the links' velocities of the last step.
 bool turns_as_one_body(const btMultiBody& multibody) {
   if (multibody.hasFixedBase() || !is_finalized(multibody)) return false;
   if (multibody.getNumLinks() > 0 && multibody.isUsingGlobalVelocities()) return false;
@@ -53,7 +53,7 @@ bool CompositeBody::update(const btMultiBody& multibody) {
   return true;
 }
 
-// Returns whether something has changed.
+// Returns true if a value has changed.
 bool CompositeBody::read(const btMultiBody& multibody) {
   const auto count = static_cast<std::size_t>(multibody.getNumLinks());
   bool has_changed = links_.size() != count;
@@ -64,7 +64,7 @@ bool CompositeBody::read(const btMultiBody& multibody) {
     const int parent = multibody.getParent(link);
     const btTransform& parent_pose_B =
         parent < 0 ? base_.pose_B : links_[static_cast<std::size_t>(parent)].pose_B;
-    // Bullet gives the rotation into the link's frame, and the vector from the parent in it.
+    // Bullet stores the rotation into the link's frame, and the vector from the parent in that frame.
     const btQuaternion q_link_to_parent = multibody.getParentToLocalRot(link).inverse();
     const btTransform pose(q_link_to_parent, quatRotate(q_link_to_parent, multibody.getRVector(link)));
     Part& part = links_[static_cast<std::size_t>(link)];

@@ -2,8 +2,8 @@
 
 #include "bullet/batch/batch.h"
 
-/// External changes: what somebody other than the library did to a managed body since the library last wrote
-/// it. This is the list of what counts as one, and how each is adopted.
+/// External changes: changes of a body by the application or by Bullet since the library last wrote the body.
+/// This is the list of external changes and how each is adopted:
 ///
 ///   pose        teleport: the basis is not q_WB rounded; also the solver's split impulse
 ///   velocity    kick: the angular velocity is not the one written
@@ -11,11 +11,12 @@
 ///   damping     Bullet's, before the solve: state and written velocity are scaled by its factor
 ///   non-finite  a NaN or infinity: non_finite.h
 ///
-/// A body without one goes on from its double state: so a single-precision world turns with double accuracy.
+/// A body without external changes continues from its double-precision state, so that it turns with double
+/// accuracy even in a single-precision world.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Rounds a number as Bullet holds it.
+/// Rounds a number to Bullet's precision.
 inline double rounded_to_bullet(double number) {
   return static_cast<double>(static_cast<btScalar>(number));
 }
@@ -23,10 +24,11 @@ POLHODE_INLINE Wide rounded_to_bullet(const Wide& number) {
   return Wide::converted(BulletWide::converted(number));
 }
 
-/// The state's velocity after a kick from the written velocity to the one found, for Real = double or Wide. A
-/// free body's is the one found, so that pose and velocity set anew leave nothing of what was. A constrained
-/// body's momentum runs half a step beside I v: that stays. It is quadratic in the velocity, so a body set to
-/// rest rests.
+/// Returns the state's velocity after a kick from the written velocity to the one found. Real is double or
+/// Wide. A free body gets the velocity found, so that a new pose and velocity leave nothing of the old
+/// motion. The velocity of a constrained body differs from the written one by half a step, and keeps this
+/// difference. The difference is quadratic in the velocity and is scaled accordingly, so that a body set to
+/// rest is at rest.
 template <class Vector>
 Vector velocity_after_kick(const Vector& found_W, const Vector& written_W, const Vector& state_W) {
   using polhode::select;
@@ -41,20 +43,19 @@ Vector velocity_after_kick(const Vector& found_W, const Vector& written_W, const
   return found_W + kept * beside_W;
 }
 
-/// Moments in kg m^2; 0 where the body does not turn about the axis, as in btRigidBody::getLocalInertia.
+/// Returns moments in kg m^2; 0 for an axis without inverse inertia, as in btRigidBody::getLocalInertia.
 Vector3 moments_B(const btVector3& inverse_inertia_B);
 
-/// Sets L from omega: by one formula everywhere, so that two histories of one state give the same bits.
+/// Sets L_W to match omega_W. Uses one formula everywhere, so that equal states have equal bits.
 void make_momentum_agree(const Vector3& inertia_B, bool keeps_rotation, RotationState& state);
 
-/// Brings `state`, that of the lane, in line with what the body says now. Returns false if nothing was
-/// changed.
+/// Updates `state`, the state of the lane, to match the body. Returns false if there was no external change.
 bool adopt_external_changes(const Batch& batch, std::size_t lane, RotationState& state);
 
-/// The same for the batch itself.
+/// Updates the lane in the batch itself.
 void adopt_external_changes(Batch& batch, std::size_t lane);
 
-/// Turns the state by a rotation that came from outside. The velocity stays.
+/// Rotates the state by an external rotation and keeps the velocity.
 void adopt_external_rotation(const Quaternion& turn_B, const Vector3& inertia_B, bool keeps_rotation,
                              RotationState& state);
 

@@ -12,10 +12,10 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// The fraction of a step at which continuous collision detection stopped a body is known to rounding only, so
-// in such a step a smaller turn by somebody else cannot be told from it. rad.
+// The fraction of a step at which continuous collision detection clamps a body is known only up to rounding.
+// In a clamped step an external rotation smaller than this, in rad, cannot be distinguished.
 constexpr double kTurnLostInClampedStep = 1e-3;
-// A pose that the application set is no rounded quaternion: q_WB is the nearest one. rad.
+// A pose set by the application is not exactly a rounded quaternion: q_WB is the nearest one. In rad.
 constexpr double kRoundingOfPose = 16.0 * std::numeric_limits<btScalar>::epsilon();
 
 }  // namespace
@@ -27,7 +27,7 @@ bool may_be_clamped(const btRigidBody& body, btScalar dt) {
   return !(body.getLinearVelocity().length2() * dt * dt < nearly_all * threshold2);
 }
 
-// Bullet leaves a hit fraction of 0 behind; how far the body came shows in its position.
+// Bullet leaves a hit fraction of 0, so the fraction is computed from the position.
 double turned_fraction(const Batch& batch, std::size_t lane, btScalar dt) {
   const btRigidBody& body = *batch.bodies[lane];
   if (body.getHitFraction() != btScalar(0.0)) return 1.0;
@@ -71,9 +71,9 @@ void clamp_step(const Batch& batch, std::size_t lane, const Solved& solved, cons
   set_lane(lane, turned, result.state);
 }
 
-// With w the pose written, e = S w what Bullet makes of it and f = S p the pose found, S Bullet's turn, the
-// pose it started from is p = w (e^-1 f). Where Bullet did not turn the body its turn is computed, so that
-// both ways in give the same bits.
+// Let w be the written pose, S Bullet's turn, e = S w the expected pose and f = S p the pose found. Then
+// Bullet started from the pose p = w (e^-1 f). If Bullet did not turn the body, its turn is computed, so that
+// RotationWorld and RotationPlugin give the same bits.
 void adopt_split_impulse(Batch& batch, std::size_t lane, PoseIntegratedBy integrator, const Solved& solved,
                          const StepContext& context) {
   RotationState state = batch.state(lane);

@@ -13,8 +13,8 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// An infinite moment about some axis of the body. With omega 0 about that axis omega x I omega acts about it
-// alone: there is no gyroscopic change.
+// Returns true if the moment about a body axis is infinite. With omega 0 about that axis, omega x I omega
+// acts only about it: there is no gyroscopic change.
 bool has_infinite_moment(const btRigidBody& body) {
   const btVector3& inverse = body.getInvInertiaDiagLocal();
   return inverse.x() == 0 || inverse.y() == 0 || inverse.z() == 0;
@@ -85,7 +85,7 @@ void add_drive(Batch& batch, std::size_t lane, const StepContext& context, HeldT
   driven.law_failed.set(lane, gain.law_failed);
 }
 
-// The body goes on turning about a locked axis as it does: there the solver changes nothing either.
+// Keeps the rotation about a locked axis, which the solver does not change either.
 Vector3 with_locked_axes_kept(const Matrix3& inverse_inertia_W, const btRigidBody& body,
                               const Vector3& shown_W, const Vector3& v_W) {
   const Vector3 factor = to_double(body.getAngularFactor());
@@ -97,8 +97,8 @@ Vector3 with_locked_axes_kept(const Matrix3& inverse_inertia_W, const btRigidBod
 
 Vector3 project_onto_unlocked_axes(const Matrix3& inverse_inertia_W, const Vector3& angular_factor,
                                    const Vector3& v_W) {
-  // Locked rows: (W torque)_i = -v_i, scaled to the size of the others; free rows: torque_i = 0. Where the body
-  // has no inverse inertia about a locked axis either, the system is singular: it takes no torque there.
+  // Locked rows: (W torque)_i = -v_i, scaled to the size of the others; free rows: torque_i = 0. If the body
+  // has no inverse inertia about a locked axis, the system would be singular, so the row stays torque_i = 0.
   Matrix3 system = Matrix3::Identity();
   Vector3 right = Vector3::Zero();
   for (int axis = 0; axis < 3; ++axis) {
@@ -123,7 +123,7 @@ void give_held(Batch& batch, std::size_t lane, const StepContext& context) {
   const btVector3 shown_W = vector_in_lane(batch.written_omega_W, lane);
   btVector3 given_W =
       to_bullet(with_locked_axes_kept(turn.inverse_W, body, to_double(shown_W), turn.velocity_W));
-  if (!are_finite(given_W)) {  // a step so long that the scheme leaves the finite
+  if (!are_finite(given_W)) {  // dt so long that the scheme's result is not finite
     turn = plain_turn(batch.state(lane), body.getInvInertiaDiagLocal());
     given_W = shown_W;
   }

@@ -17,7 +17,7 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-constexpr btScalar kAnyMass = 1;  // only the rotation is computed; 0 would make it static
+constexpr btScalar kAnyMass = 1;  // unused, since only the rotation is computed; 0 would make the body static
 
 btQuaternion rounded(const Quaternion& q) {
   const auto number = [](double exact) { return static_cast<btScalar>(exact); };
@@ -32,7 +32,7 @@ bool sleeps(const btMultiBodyLinkCollider* collider) {
   return collider != nullptr && collider->getActivationState() == ISLAND_SLEEPING;
 }
 
-// Bullet switches a collider off over a bounding box that is not finite.
+// Bullet deactivates a collider whose bounding box is not finite.
 void switch_on(btMultiBodyLinkCollider* collider) {
   if (collider != nullptr && collider->getActivationState() == DISABLE_SIMULATION)
     collider->forceActivationState(ACTIVE_TAG);
@@ -77,14 +77,14 @@ void MultibodyProxy::read() noexcept {
   bool has_other_inertia = false;
   try {
     has_other_inertia = composite_.update(multibody_);
-  } catch (const std::bad_alloc&) {  // more links than before: Bullet has it until there is memory
+  } catch (const std::bad_alloc&) {  // more links than before: left to Bullet until memory is available
     body_.forceActivationState(DISABLE_SIMULATION);
     return;
   }
   if (has_other_inertia) {
     body_.setMassProps(kAnyMass, to_bullet(composite_.inertia_C()));
     if (had_links || composite_.has_links())
-      written_q_BW_.setValue(0, 0, 0, 0);  // the principal axes are others
+      written_q_BW_.setValue(0, 0, 0, 0);  // the principal axes have changed
   }
   const btQuaternion& q_BW = multibody_.getWorldToBaseRot();
   btTransform& pose = body_.getWorldTransform();
@@ -100,9 +100,8 @@ void MultibodyProxy::read() noexcept {
   body_.setLinearVelocity(multibody_.getBaseVel() + omega_W.cross(centre_W));
   body_.setAngularVelocity(omega_W);
   total_force(body_) = multibody_.getBaseForce();
-  for (int link = 0; link < multibody_.getNumLinks(); ++link)
-    total_force(body_) +=
-        multibody_.getLinkForce(link) + multibody_.getLinkTorque(link);  // whether they are finite
+  for (int link = 0; link < multibody_.getNumLinks(); ++link)  // only to check that they are finite
+    total_force(body_) += multibody_.getLinkForce(link) + multibody_.getLinkTorque(link);
   total_torque(body_) = multibody_.getBaseTorque();
   body_.forceActivationState(is_moved_by_bullet() ? ACTIVE_TAG : ISLAND_SLEEPING);
   body_.setCollisionFlags(multibody_.isBaseKinematic() ? btCollisionObject::CF_KINEMATIC_OBJECT : 0);
@@ -182,7 +181,7 @@ void MultibodyProxy::give_as_composite() {
   base_torque(multibody_) += cancelling_.torque_W;
 }
 
-// Returns whether the solver has changed a free body by more than the rounding of what was cancelled.
+// Returns true if the solver has changed a free body by more than the rounding of the cancelled terms.
 bool MultibodyProxy::acted(const btVector3& solved_W, btScalar dt) const {
   if (is_constrained_ || !composite_.has_links()) return true;
   const Vector3& inertia_C = composite_.inertia_C();
@@ -203,7 +202,7 @@ void MultibodyProxy::read_solved(btScalar dt) {
   const btVector3 turn_velocity = solved_W.cross(given_centre_W_);  // of the centre of mass about the base
   solved_centre_velocity_ = multibody_.getBaseVel() + turn_velocity;
   const btVector3 solved_centre = multibody_.getBasePos() + given_centre_W_ + dt * turn_velocity;
-  // Bullet has moved it already: the batch is not to do it again.
+  // Bullet has moved the body already: keep the batch from moving it again.
   const bool is_finite = are_finite(solved_centre_velocity_);
   body_.setLinearVelocity(is_finite ? btVector3(0, 0, 0) : solved_centre_velocity_);
   body_.setAngularVelocity(acted(solved_W, dt) ? solved_W : given_W_);
@@ -211,7 +210,7 @@ void MultibodyProxy::read_solved(btScalar dt) {
   body_.forceActivationState(is_moved_by_bullet() ? ACTIVE_TAG : ISLAND_SLEEPING);
 }
 
-// The spin is finite, but the base it takes about the centre of mass has no finite velocity.
+// For a finite spin about the centre of mass that gives the base no finite velocity.
 void MultibodyProxy::stop_turning() {
   body_.setAngularVelocity(btVector3(0, 0, 0));
   multibody_.setBaseOmega(btVector3(0, 0, 0));

@@ -10,27 +10,28 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// A btRigidBody of no world that stands in for a btMultiBody in a batch, so that one path steps both. The
-/// multibody's numbers are read into it before a stage, and what the library wrote is handed back after it.
+/// A btRigidBody outside any world that represents a btMultiBody in a batch, so that one implementation steps
+/// both. The multibody is read before a stage, and the result is written to the multibody after the stage.
 ///
-/// A btMultiBody differs from a rigid body in:
+/// Differences between a btMultiBody and a rigid body:
 ///
-///   gyroscopic term     explicit: switched off (setUseGyroTerm) during the solve
-///   largest velocity    each coordinate is clamped (setMaxCoordinateVelocity, 100 by default): during the solve
-///                       the limit is at least the speed that the body has already
-///   damping             grows with the speed, and is applied in the solve: it acts like a torque
-///   inverse inertia     the solver takes it from the base: the effective inertia cannot be handed over
+///   gyroscopic term     explicit: turned off (setUseGyroTerm) during the solve
+///   largest velocity    Bullet clamps each coordinate (setMaxCoordinateVelocity, 100 by default): during the
+///                       solve the limit is raised to the body's present speed
+///   damping             grows with the speed and is applied in the solve: treated as a torque
+///   inverse inertia     the solver reads it from the base: the effective inertia cannot be given
 ///   orientation         a quaternion q_BW, the inverse of q_WB
 ///   turn                at most pi/4 a step: replaced after the integration
-///   fixed links         the proxy is the composite body, with its centre of mass and principal axes; Bullet's
-///                       centrifugal forces are cancelled in the solve, and the base is placed by the centre of mass
+///   fixed links         the proxy is the composite body, with its centre of mass and principal axes;
+///                       Bullet's centrifugal forces are cancelled in the solve, and the base follows the
+///                       centre of mass
 class MultibodyProxy {
  public:
   explicit MultibodyProxy(btMultiBody& multibody);
 
   MultibodyProxy(const MultibodyProxy&) = delete;
   MultibodyProxy& operator=(const MultibodyProxy&) = delete;
-  /// The proxy whose body() it is.
+  /// Returns the proxy whose body() is `body`.
   static MultibodyProxy& of(const btRigidBody& body) {
     return *static_cast<MultibodyProxy*>(body.getUserPointer());
   }
@@ -39,20 +40,23 @@ class MultibodyProxy {
   btRigidBody& body() { return body_; }
   const btRigidBody& body() const { return body_; }
 
-  /// Asks for what the functions below will need.
+  /// Prefetches the data of the functions below.
   void prefetch() const;
-  /// Reads the motion, the inertia, what acts, and whether Bullet moves the multibody at present.
+  /// Reads the motion, the inertia, the forces, and whether Bullet moves the multibody at present.
   void read() noexcept;
   bool is_multibody_finite() const;
-  /// Where the multibody is not finite it follows the proxy, which the library has set to something finite.
+  /// Replaces values of the multibody that are not finite by those of the proxy, which the library has
+  /// sanitized.
   void take_out_non_finite();
-  /// Right before the solve: hands over the velocity and torque of the proxy, and takes the switches.
+  /// Writes the proxy's velocity and torque to the multibody, and changes its settings for the solve. Call
+  /// right before the solve.
   void give_to_solver(bool is_constrained);
-  /// After Bullet's integration: gives the switches back and reads the velocity with which Bullet turned.
+  /// Restores the settings and reads the velocity with which Bullet turned. Call after Bullet's integration.
   void read_solved(btScalar dt);
-  /// Writes the proxy's angular velocity, which somebody has changed between two steps; the centre of mass moves on.
+  /// Writes the proxy's angular velocity after a change between two steps; keeps the velocity of the centre
+  /// of mass.
   void write_angular_velocity();
-  /// Writes the end of the step. How the centre of mass moves stays Bullet's where it is finite.
+  /// Writes the end of the step. Keeps Bullet's motion of the centre of mass if it is finite.
   void write(const Quaternion& q_WC);
 
  private:
@@ -68,17 +72,17 @@ class MultibodyProxy {
   CompositeBody composite_;
   btRigidBody body_;
   btMatrix3x3 written_basis_ = btMatrix3x3::getIdentity();
-  btQuaternion written_q_BW_ = btQuaternion(0, 0, 0, 0);  // of written_basis_; this one is no rotation
-  // The application's, which the solver has not.
+  btQuaternion written_q_BW_ = btQuaternion(0, 0, 0, 0);  // of written_basis_; initially not a rotation
+  // The application's settings and forces, which are replaced during the solve.
   bool uses_gyroscopic_term_ = false;
   btScalar largest_velocity_ = 0;
   btVector3 force_W_ = btVector3(0, 0, 0);
   btVector3 torque_W_ = btVector3(0, 0, 0);
-  // The step under way.
+  // The present step.
   bool is_constrained_ = false;
   btVector3 given_W_ = btVector3(0, 0, 0);
   CompositeBody::Wrench cancelling_{btVector3(0, 0, 0), btVector3(0, 0, 0)};
-  btVector3 given_centre_W_ = btVector3(0, 0, 0);  // of mass, from the base
+  btVector3 given_centre_W_ = btVector3(0, 0, 0);  // centre of mass relative to the base
   btVector3 solved_centre_velocity_ = btVector3(0, 0, 0);
 };
 

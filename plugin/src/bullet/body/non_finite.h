@@ -8,7 +8,7 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// 0 times a finite number is 0, times any other NaN: one comparison for many numbers.
+/// Returns 0 if all components are finite, otherwise NaN: 0 times infinity or NaN is NaN.
 inline btVector3 probe(const btVector3& v) {
   return v * btScalar(0.0);
 }
@@ -27,28 +27,27 @@ bool are_finite(const Values&... values) {
   return sum.x() + sum.y() + sum.z() == btScalar(0.0);
 }
 
-/// Returns whether pose, velocities, force and torque of the body are all finite.
+/// Returns true if pose, velocities, force and torque of the body are all finite.
 inline bool is_finite(const btRigidBody& body) {
   return are_finite(body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity(),
                     body.getTotalForce(), body.getTotalTorque());
 }
 
-/// The motion of a body as Bullet holds it.
+/// Pose and velocities of a body, in Bullet's precision.
 struct BodyMotion {
   btTransform pose = btTransform::getIdentity();
   btVector3 linear_velocity = btVector3(0, 0, 0);
   btVector3 omega_W = btVector3(0, 0, 0);
 };
 
-/// The body's position, orientation and velocities, each taken from `fallback` if it is not finite.
+/// Returns the body's pose and velocities; each of them is taken from `fallback` if it is not finite.
 BodyMotion finite_motion(const btRigidBody& body, const BodyMotion& fallback);
 
-/// Sets the body to its finite_motion, drops a force that is not finite, and switches the body on again if
-/// Bullet switched it off over a bounding box of NaN.
+/// Sets the body to its finite_motion, clears forces that are not finite, and reactivates the body if Bullet
+/// deactivated it because its bounding box was not finite.
 void sanitize(btRigidBody& body, const BodyMotion& fallback);
 
-/// Forgets the object's contact points: the impulses they keep for warm starting may be NaN and would bring it
-/// back.
+/// Clears the object's contact points, whose impulses, kept for warm starting, may be NaN.
 void forget_contacts(btDispatcher& dispatcher, const btCollisionObject& object);
 
 }  // namespace POLHODE_PRECISION

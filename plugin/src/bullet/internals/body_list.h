@@ -11,9 +11,9 @@ class btRigidBody;
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Runs one of Bullet's loops over some of the world's bodies: shortens the world's list to them meanwhile,
-/// and puts it back in its order, which the solver depends on. `some` are places in the list, ascending.
-/// `loop` must not change the list.
+/// Runs one of Bullet's loops for some of the world's bodies: temporarily shortens the world's list to them,
+/// and restores the list in its order, which the solver depends on. `some` are positions in the list,
+/// ascending. `loop` must not change the list.
 template <class Loop>
 void run_for(const std::vector<int>& some, btAlignedObjectArray<btRigidBody*>& bodies, const Loop& loop) {
   struct Shortened {
@@ -27,7 +27,7 @@ void run_for(const std::vector<int>& some, btAlignedObjectArray<btRigidBody*>& b
     }
   };
   Shortened put_back_at_end{some, bodies};
-  // A body goes to the left or stays, so that those still to come are where `some` says.
+  // A body moves to the left or stays, so the positions in `some` that follow remain valid.
   for (std::size_t i = 0; i < some.size(); ++i) bodies.swap(static_cast<int>(i), some[i]);
   bodies.resizeNoInitialize(static_cast<int>(some.size()));
   loop();

@@ -11,7 +11,7 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-constexpr int kNodeAlignment = 16;  // as Bullet's own
+constexpr int kNodeAlignment = 16;  // as in Bullet
 constexpr std::int32_t kStageAtRest = btDbvtBroadphase::STAGECOUNT;
 
 btDbvtProxy* proxy_of(const btCollisionObject& object) {
@@ -22,7 +22,7 @@ std::int32_t object_of(const btDbvtProxy& proxy) {
   return static_cast<const btCollisionObject*>(proxy.m_clientObject)->getWorldArrayIndex();
 }
 
-// The nodes that are no leaves, and the spare ones, of both trees in the order of their addresses.
+// Returns the inner nodes and the spare nodes of both trees, sorted by address.
 std::vector<btDbvtNode*> inner_nodes(const btDbvtBroadphase& broadphase) {
   std::vector<btDbvtNode*> nodes;
   for (const btDbvt& tree : broadphase.m_sets) {
@@ -65,7 +65,7 @@ TreeRecord record_of(const btDbvt& tree, const std::vector<btDbvtNode*>& nodes) 
   return record;
 }
 
-// Returns whether each of 0 to count - 1 is in the list once.
+// Returns true if the list contains each of 0 to count - 1 once.
 template <class Number>
 bool are_all(std::vector<Number> numbers, std::size_t count) {
   std::sort(numbers.begin(), numbers.end());
@@ -85,7 +85,7 @@ bool is_whole(const TreeRecord& tree) {
   return missing == 0;
 }
 
-// Hands out the inner nodes by the rank of their addresses.
+// Allocates or frees inner nodes to reach the given count, and returns them by the rank of their addresses.
 class Nodes {
  public:
   Nodes(btDbvtBroadphase& broadphase, std::size_t count) : nodes_(inner_nodes(broadphase)) {

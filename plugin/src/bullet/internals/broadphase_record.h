@@ -9,18 +9,18 @@
 
 #include "polhode/bullet/precision.h"
 
-/// The inside of a btDbvtBroadphase. Which pairs it has, and in which order, depends on its boxes, which are
-/// larger than those of the bodies and lag behind, and on its trees. Objects are told apart by their place in
-/// the world's list.
+/// The internal state of a btDbvtBroadphase. The overlapping pairs and their order depend on its boxes, which
+/// are larger than the bodies' and lag behind, and on its trees. Objects are identified by their index in the
+/// world's list.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// What the broadphase has of an object.
+/// The broadphase's data of an object.
 struct ProxyRecord {
   std::int32_t unique_id = 0;
   btVector3 aabb_min = btVector3(0, 0, 0);
   btVector3 aabb_max = btVector3(0, 0, 0);
-  std::int32_t stage = 0;  ///< the list it is in; the last one is that of the tree of resting objects
+  std::int32_t stage = 0;  ///< the object's list; the last list holds the resting objects
 };
 
 template <class Archive>
@@ -34,7 +34,7 @@ struct NodeRecord {
   std::int32_t object = kInternal;
   btVector3 aabb_min = btVector3(0, 0, 0);
   btVector3 aabb_max = btVector3(0, 0, 0);
-  /// Of an internal node: how many of the nodes of both trees have smaller addresses. Bullet balances a tree
+  /// For an internal node: the number of nodes of both trees with smaller addresses. Bullet balances a tree
   /// by comparing addresses.
   std::uint32_t address_rank = 0;
 };
@@ -45,8 +45,8 @@ void serialize(Archive& archive, NodeRecord& record) {
 }
 
 struct TreeRecord {
-  std::vector<NodeRecord> nodes;  ///< parents before their children, the first child's before the second's
-  std::vector<std::uint32_t> spare_ranks;  ///< of the node that the tree keeps for its next one, if any
+  std::vector<NodeRecord> nodes;  ///< depth first: a parent, its first child's subtree, its second child's
+  std::vector<std::uint32_t> spare_ranks;  ///< address rank of the tree's spare node, if it has one
   std::int32_t look_ahead = -1;
   std::uint32_t path = 0;
 };
@@ -78,10 +78,12 @@ void serialize(Archive& archive, BroadphaseRecord& record) {
 
 BroadphaseRecord record_of(const btDbvtBroadphase& broadphase, const btCollisionObjectArray& objects);
 
-/// Returns whether the record is one of so many objects, each in its tree and its list.
+/// Returns true if the record is consistent: each of this number of objects is in one list and in the
+/// matching tree.
 bool is_consistent(const BroadphaseRecord& record, std::size_t objects);
 
-/// The record is consistent, and the pair cache is empty: it finds pairs by the unique ids, which change.
+/// Requires a consistent record and an empty pair cache, which finds pairs by the unique ids that this
+/// changes.
 void write_to(const BroadphaseRecord& record, const btCollisionObjectArray& objects,
               btDbvtBroadphase& broadphase);
 

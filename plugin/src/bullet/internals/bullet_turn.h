@@ -8,26 +8,26 @@ namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 /// Computes Bullet's own result by calling the linked Bullet: the same code compiled here could round
-/// differently. Constructing a btRigidBody counts up a global number, so make one where no other thread makes
-/// a body.
+/// differently. The constructor creates a btRigidBody, which increments a global counter; do not run it while
+/// another thread creates a body.
 class BulletTurn {
  public:
   BulletTurn();
 
-  /// The basis after Bullet's turn by omega_W (rad/s) over dt (s).
+  /// Returns the basis after Bullet's turn by omega_W (rad/s) over dt (s).
   btMatrix3x3 turned(const btMatrix3x3& basis, const btVector3& omega_W, btScalar dt);
 
-  /// The factor by which Bullet's damping multiplies an angular velocity in dt (s); angular_damping as in
-  /// btRigidBody::setDamping.
+  /// Returns the factor by which Bullet's damping multiplies an angular velocity in dt (s). angular_damping
+  /// is the argument of btRigidBody::setDamping.
   btScalar damping_factor(btScalar angular_damping, btScalar dt);
 
-  /// A body of no world: stands in for lanes without one, to be read and written at will.
+  /// Returns a body outside any world, which lanes without a body may read and write.
   btRigidBody& placeholder() { return placeholder_; }
 
  private:
   btRigidBody body_;
   btRigidBody placeholder_;
-  // Bullet takes a power for the factor; most bodies of a world have the same.
+  // Cached, since Bullet computes a power, and most bodies of a world have the same damping.
   btScalar damping_ = 0;
   btScalar damped_dt_ = 0;
   btScalar damping_factor_ = 1;

@@ -36,7 +36,7 @@ void write_points(std::vector<btManifoldPoint> points, btPersistentManifold& man
   }
 }
 
-// The application's callbacks are for contacts of a step.
+// Disables the application's contact callbacks, which are meant for contacts of a step.
 class MutedContactCallbacks {
  public:
   MutedContactCallbacks() { swap(); }
@@ -108,7 +108,7 @@ bool is_consistent(const ContactRecord& record, std::size_t objects) {
                      });
 }
 
-// The algorithms outlive the removal of their pairs, which would free them.
+// Keeps the algorithms, which removing their pairs would free.
 ContactRestoration::ContactRestoration(btDiscreteDynamicsWorld& world)
     : world_(world), dispatcher_(static_cast<btCollisionDispatcher&>(*world.getDispatcher())) {
   btOverlappingPairCache& cache = *world.getPairCache();
@@ -123,7 +123,7 @@ ContactRestoration::ContactRestoration(btDiscreteDynamicsWorld& world)
   std::sort(former_.begin(), former_.end(), is_before);
 }
 
-// Where memory has run out, some algorithms may be left.
+// Frees algorithms that are left if memory ran out.
 ContactRestoration::~ContactRestoration() {
   const MutedContactCallbacks muted;
   drop_former();
@@ -145,7 +145,7 @@ void ContactRestoration::put_pair(const PairRecord& record) {
   const btCollisionObjectArray& objects = world_.getCollisionObjectArray();
   btBroadphasePair* const pair = world_.getPairCache()->addOverlappingPair(
       objects[record.object0]->getBroadphaseHandle(), objects[record.object1]->getBroadphaseHandle());
-  if (pair == nullptr) return;  // by a filter that the application has set since
+  if (pair == nullptr) return;  // rejected by a collision filter that the application has set since
   btCollisionAlgorithm* const former = take_algorithm(*pair);
   if (record.has_algorithm) {
     pair->m_algorithm = former;
@@ -172,7 +172,7 @@ void ContactRestoration::put_manifolds(const PairRecord& record, btBroadphasePai
   }
 }
 
-// Null if the pair had none, or one for the two bodies in the other order.
+// Returns null if the pair had no algorithm, or one for the two bodies in the other order.
 btCollisionAlgorithm* ContactRestoration::take_algorithm(const btBroadphasePair& pair) {
   const auto found = std::lower_bound(former_.begin(), former_.end(), pair, is_before);
   if (found == former_.end() || is_before(pair, *found)) return nullptr;
@@ -192,7 +192,7 @@ void ContactRestoration::replace_predictive(const std::vector<PredictiveRecord>&
   }
 }
 
-// Manifolds that the record has no place for come last.
+// Sorts manifolds without a position in the record to the end.
 void ContactRestoration::sort_manifolds() {
   const int count = dispatcher_.getNumManifolds();
   btPersistentManifold** const manifolds = dispatcher_.getInternalManifoldPointer();

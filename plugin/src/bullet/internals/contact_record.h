@@ -10,13 +10,13 @@
 #include "bullet/internals/pair_manifolds.h"
 #include "polhode/bullet/precision.h"
 
-/// What Bullet keeps of contacts from one step to the next: the overlapping pairs, their manifolds with the
-/// points and the impulses that warm starting begins with, and the orders of both, in which the solver takes
-/// them. Objects are told apart by their place in the world's list.
+/// The contacts that Bullet keeps from one step to the next: the overlapping pairs, their manifolds with
+/// contact points and warm starting impulses, and the order of both, which the solver depends on. Objects are
+/// identified by their index in the world's list.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// A contact point but for its user data, which is a pointer.
+/// Serializes a contact point without its user data, which is a pointer.
 template <class Archive>
 void serialize(Archive& archive, btManifoldPoint& point) {
   archive(point.m_localPointA, point.m_localPointB, point.m_positionWorldOnB, point.m_positionWorldOnA,
@@ -31,7 +31,7 @@ void serialize(Archive& archive, btManifoldPoint& point) {
 
 struct ManifoldRecord {
   ManifoldPath path;
-  std::int32_t place = 0;  ///< in the dispatcher's list
+  std::int32_t place = 0;  ///< index in the dispatcher's list
   std::vector<btManifoldPoint> points;
 };
 
@@ -43,7 +43,7 @@ void serialize(Archive& archive, ManifoldRecord& record) {
 struct PairRecord {
   std::int32_t object0 = 0;
   std::int32_t object1 = 0;
-  bool has_algorithm = false;  ///< false: never awake since the pair came, or its bodies do not collide
+  bool has_algorithm = false;  ///< false if the pair was never awake, or its bodies do not collide
   std::vector<ManifoldRecord> manifolds;
 };
 
@@ -52,7 +52,8 @@ void serialize(Archive& archive, PairRecord& record) {
   archive(record.object0, record.object1, record.has_algorithm, record.manifolds);
 }
 
-/// A manifold of the last step's predictive contacts: without effect by now, but it has a place in the list.
+/// A manifold of the last step's predictive contacts. It has no effect any more, but occupies a place in the
+/// list.
 struct PredictiveRecord {
   std::int32_t object0 = 0;
   std::int32_t object1 = 0;
@@ -76,11 +77,11 @@ void serialize(Archive& archive, ContactRecord& record) {
 
 ContactRecord record_of_contacts(btDiscreteDynamicsWorld& world);
 
-/// Returns whether the record is one of so many objects.
+/// Returns true if the record is consistent for this number of objects.
 bool is_consistent(const ContactRecord& record, std::size_t objects);
 
-/// Contacts while they are restored: takes all pairs out of the cache when constructed, so that the
-/// broadphase may be restored in between, and puts those of the record in.
+/// Restores contacts in two parts, between which the broadphase may be restored. The constructor removes all
+/// pairs from the pair cache; finish() adds those of the record.
 class ContactRestoration {
  public:
   explicit ContactRestoration(btDiscreteDynamicsWorld& world);
@@ -88,7 +89,7 @@ class ContactRestoration {
   ContactRestoration(const ContactRestoration&) = delete;
   ContactRestoration& operator=(const ContactRestoration&) = delete;
 
-  /// The bodies have their poses and the broadphase its ids; the record is consistent.
+  /// Requires restored poses and broadphase ids, and a consistent record.
   void finish(const ContactRecord& record);
 
  private:
@@ -106,7 +107,7 @@ class ContactRestoration {
 
   btDiscreteDynamicsWorld& world_;
   btCollisionDispatcher& dispatcher_;
-  std::vector<btBroadphasePair> former_;  ///< by their proxies' addresses
+  std::vector<btBroadphasePair> former_;  ///< sorted by the addresses of their proxies
   std::vector<Placed> placed_;
 };
 

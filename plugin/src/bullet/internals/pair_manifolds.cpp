@@ -21,7 +21,7 @@ const btCompoundShape* compound_of(const Wrapped& wrapped) {
   return shape.isCompound() ? static_cast<const btCompoundShape*>(&shape) : nullptr;
 }
 
-// A child of a compound shape, in the way that Bullet hands it to an algorithm.
+// A child of a compound shape, wrapped as Bullet passes it to an algorithm.
 class Child {
  public:
   Child(const Wrapped& parent, const btCompoundShape& compound, std::int32_t index)
@@ -65,7 +65,7 @@ void find_manifolds(btCollisionAlgorithm& algorithm, const ManifoldPath& path,
   }
 }
 
-// The wanted paths that begin as `head` does, from `depth` on.
+// Returns the wanted paths that contain `head` at `depth` and continue after it.
 std::vector<ManifoldPath> below(const std::vector<ManifoldPath>& wanted, const ManifoldPath& head,
                                 std::size_t depth) {
   std::vector<ManifoldPath> result;
@@ -77,7 +77,8 @@ std::vector<ManifoldPath> below(const std::vector<ManifoldPath>& wanted, const M
   return result;
 }
 
-// The parts of the paths from `depth` on that name a child: so many numbers, each part once, in their order.
+// Returns the distinct parts of the paths from `depth` on that name a child, each of this many numbers, in
+// order.
 std::vector<ManifoldPath> heads_of(const std::vector<ManifoldPath>& wanted, std::size_t depth,
                                    std::size_t numbers) {
   std::vector<ManifoldPath> heads;
@@ -116,7 +117,8 @@ class ManifoldMaker {
   }
 
  private:
-  // Some algorithms make their manifold when they first run.
+  // Runs the algorithm if manifolds are missing, since some algorithms create their manifold in their first
+  // run.
   void make_simple(const std::vector<ManifoldPath>& wanted, const Wrapped& first, const Wrapped& second,
                    btCollisionAlgorithm& algorithm) {
     btManifoldArray manifolds;
@@ -179,7 +181,7 @@ class ManifoldMaker {
   const btDispatcherInfo& info_;
 };
 
-// Lets algorithms be made for a pair that sleeps: Bullet makes none then, or one without a manifold.
+// Wakes an object temporarily: for a sleeping pair Bullet creates no algorithm, or one without a manifold.
 class Awake {
  public:
   explicit Awake(btCollisionObject& object) : object_(object), state_(object.getActivationState()) {

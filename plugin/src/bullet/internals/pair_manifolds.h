@@ -9,13 +9,13 @@
 
 #include "polhode/bullet/precision.h"
 
-/// The manifolds of an overlapping pair. A pair of simple shapes has one; compound shapes have one for each
-/// child that is near the other body, or each pair of children, and make and drop them as the bodies move.
+/// The manifolds of an overlapping pair. A pair of simple shapes has one. Compound shapes have one for each
+/// child near the other body, or for each pair of children; these are created and removed as the bodies move.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Which one of a pair's: the children's numbers from the outer shape to the inner one, then that of the
-/// manifold.
+/// Identifies a manifold of a pair: the indices of the children from the outer shape to the inner one, then
+/// the index of the manifold.
 using ManifoldPath = std::vector<std::int32_t>;
 
 struct PathedManifold {
@@ -23,16 +23,16 @@ struct PathedManifold {
   btPersistentManifold* manifold;
 };
 
-/// In the order in which the algorithm has them.
+/// Returns the manifolds in the algorithm's order.
 std::vector<PathedManifold> manifolds_of(btCollisionAlgorithm& algorithm);
 
-/// Gives the pair an algorithm, if it has none, and exactly these manifolds, with whatever points, as
-/// collision detection would at poses where these children are near. Children that the shapes no longer have
-/// are left out.
+/// Gives the pair an algorithm, if it has none, and exactly the wanted manifolds, as collision detection
+/// would at poses at which these children are near. The manifolds' contact points are arbitrary. Omits
+/// children that the shapes no longer have.
 void make_manifolds(const std::vector<ManifoldPath>& wanted, btBroadphasePair& pair,
                     btCollisionDispatcher& dispatcher, const btDispatcherInfo& info);
 
-/// Does what removing the pair would do with it. Null: nothing.
+/// Deletes the algorithm, as removing the pair would. Does nothing for null.
 void drop(btCollisionAlgorithm* algorithm, btCollisionDispatcher& dispatcher);
 
 }  // namespace POLHODE_PRECISION

@@ -14,8 +14,8 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// The language exempts an explicit instantiation from access checks ([temp.spec]): a private member can be
-// named there, and used without a cast.
+// An explicit instantiation may name private members ([temp.spec]). The friend functions return pointers to
+// members, so no cast is needed.
 template <class Value>
 struct MemberOfBody {
   using Member = Value btRigidBody::*;
@@ -24,8 +24,8 @@ struct VectorOfMultibody {
   using Member = btVector3 btMultiBody::*;
 };
 
-// Bullet counts its bodies in it. Everything else that tells two bodies apart can be equal in both:
-// broadphases reuse proxy numbers, applications copy flags.
+// A counter of the bodies. All other members can be equal in two bodies: broadphases reuse proxy numbers,
+// applications copy flags.
 struct DebugBodyId : MemberOfBody<int> {
   friend Member member_of(DebugBodyId);
 };
@@ -69,7 +69,7 @@ template struct Reveal<ChildPairs, &btCompoundCompoundCollisionAlgorithm::m_chil
 template struct Reveal<BaseForce, &btMultiBody::m_baseForce>;
 template struct Reveal<BaseTorque, &btMultiBody::m_baseTorque>;
 
-// A protected member is reached by a pointer to member that is formed in a derived class.
+// Gives access to protected members by pointers to members, formed in a derived class.
 struct World : btDiscreteDynamicsWorld {
   static constexpr auto kIslandManager = &World::m_islandManager;
   static constexpr auto kActions = &World::m_actions;
@@ -89,7 +89,7 @@ struct AccumulatingHinge : btHingeAccumulatedAngleConstraint {
   static constexpr auto kAngle = &AccumulatingHinge::m_accumulatedAngle;
 };
 
-// Each of Bullet's constraints has members of its own for them, by the same names.
+// Bullet's constraint classes each define these members, with the same names.
 template <class Constraint>
 struct Joined : Constraint {
   static constexpr auto kRigidBodyA = &Joined::m_rigidBodyA;
@@ -104,7 +104,7 @@ bool find_rigid_bodies(const btMultiBodyConstraint& constraint, std::array<const
   return joint != nullptr;
 }
 
-// Motion states lag a step behind by default, so that a pose between two steps is known.
+// By default motion states lag a step behind, so that poses between two steps can be interpolated.
 bool looks_back(const btDiscreteDynamicsWorld& world) {
   return world.*World::kInterpolates && world.*World::kFixedTimeStep != 0;
 }
@@ -185,7 +185,8 @@ btScalar* accumulated_angle(btTypedConstraint& joint) {
   return hinge == nullptr ? nullptr : &(hinge->*AccumulatingHinge::kAngle);
 }
 
-// btDiscreteDynamicsWorld::synchronizeMotionStates and synchronizeSingleMotionState choose alike.
+// Uses the same conditions as btDiscreteDynamicsWorld::synchronizeMotionStates and
+// synchronizeSingleMotionState.
 bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world) {
   return world.*World::kShowsAll ||
          (looks_back(world) ? time_beside_step(world) : world.*World::kLocalTime) != 0;

@@ -12,24 +12,25 @@ class btHashedSimplePairCache;
 class btMultiBody;
 class btMultiBodyConstraint;
 
-/// Members of Bullet 3.24's classes that have no accessor, or none to write with. Everything the library
-/// touches behind Bullet's interface is in this folder; third_party_notes/bullet.md lists it.
+/// Access to members of Bullet 3.24's classes that have no accessor, or no suitable one for writing. This
+/// folder holds everything that bypasses Bullet's interface; third_party_notes/bullet.md lists it.
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
 /// @name btRigidBody
 /// @{
-/// A number that no other btRigidBody of this process has: tells a body from a deleted one at the same
-/// address.
+/// Returns a number that is unique among all btRigidBody objects of the process. Distinguishes a body from a
+/// deleted one at the same address.
 int body_identity(const btRigidBody& body);
 
-/// btRigidBodyConstructionInfo::m_additionalDamping, which damps a slow body also at a damping of 0.
+/// Returns btRigidBodyConstructionInfo::m_additionalDamping, which damps slow bodies even if their damping is
+/// 0.
 bool has_additional_damping(const btRigidBody& body);
 
-/// The matrix that btRigidBody::updateInertiaTensor sets.
+/// Returns the matrix that btRigidBody::updateInertiaTensor sets.
 btMatrix3x3& inverse_inertia_tensor_W(btRigidBody& body);
 
-/// Bullet's setters for these do more than the assignment, or take one body at a time.
+/// Direct access, since Bullet's setters do more than assign, or take one body at a time.
 inline btVector3& angular_velocity(btRigidBody& body) {
   return const_cast<btVector3&>(body.getAngularVelocity());
 }
@@ -46,46 +47,47 @@ inline btVector3& interpolation_angular_velocity(btRigidBody& body) {
 btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world);
 btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world);
 
-/// Manifolds of predictive contacts, made anew in each step.
+/// Returns the manifolds of predictive contacts, which are created anew in each step.
 btAlignedObjectArray<btPersistentManifold*>& predictive_manifolds(btDiscreteDynamicsWorld& world);
-/// The joints, in the order of getConstraint.
+/// Returns the joints in the order of getConstraint.
 btAlignedObjectArray<btTypedConstraint*>& joints(btDiscreteDynamicsWorld& world);
-/// The time between the last step and what stepSimulation was given so far, s.
+/// Returns the time from the last step to the end of the time passed to stepSimulation, s.
 btScalar& local_time(btDiscreteDynamicsWorld& world);
 btScalar& fixed_time_step(btDiscreteDynamicsWorld& world);
 
-/// Returns whether synchronizeMotionStates, called now, would show bodies at a time between two steps, or
-/// objects that are not awake as well.
+/// Returns true if synchronizeMotionStates, called now, would write poses at a time between two steps, or of
+/// objects that are not awake.
 bool shows_more_than_the_step_end(btDiscreteDynamicsWorld& world);
 
-/// The pose that synchronizeSingleMotionState, called now, would show of the body.
+/// Returns the pose that synchronizeSingleMotionState, called now, would write to the body's motion state.
 btTransform pose_to_show(const btDiscreteDynamicsWorld& world, const btRigidBody& body);
 /// @}
 
 /// @name Others
 /// @{
-/// The algorithms within that of a compound shape.
+/// The algorithms inside the algorithm of a compound shape.
 struct CompoundParts {
-  /// By child, null for those that are far from the other body. A null pointer if the algorithm is another.
+  /// By child; null for children far from the other body. A null pointer for an algorithm without children.
   btAlignedObjectArray<btCollisionAlgorithm*>* children;
-  btHashedSimplePairCache* pairs;  ///< of the children of two compound shapes; null if there is one
+  btHashedSimplePairCache* pairs;  ///< child pairs of two compound shapes; null if only one shape is compound
 };
 CompoundParts parts_of(btCollisionAlgorithm& algorithm);
 
-/// What getAccumulatedHingeAngle adds to; null if the joint is another.
+/// Returns the angle that getAccumulatedHingeAngle accumulates; null for another kind of joint.
 btScalar* accumulated_angle(btTypedConstraint& joint);
 /// @}
 
 /// @name btMultiBody
 /// @{
-/// Returns whether finalizeMultiDof has made room for its velocities. Without, its getters read past the end.
+/// Returns true if finalizeMultiDof has allocated the velocities. Otherwise getters read past the end of the
+/// buffer.
 bool is_finalized(const btMultiBody& multibody);
 
-/// The application's, in the world's axes; Bullet only adds to them.
+/// Return the application's force and torque, in world axes. Bullet itself can only add to these.
 btVector3& base_force(btMultiBody& multibody);
 btVector3& base_torque(btMultiBody& multibody);
 
-/// The rigid bodies that one of Bullet's constraints joins to a multibody; null where there is none.
+/// Returns the rigid bodies that one of Bullet's constraints joins to a multibody; null if there is none.
 std::array<const btRigidBody*, 2> rigid_bodies_of(const btMultiBodyConstraint& constraint);
 /// @}
 
