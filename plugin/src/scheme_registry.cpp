@@ -11,12 +11,12 @@ namespace polhode {
 
 namespace {
 
-// The definitions live as long as the process: the pointer shares without owning.
+// The built-in schemes live as long as the process, so the pointer does not own them.
 SchemePointer unowned(const RotationScheme& scheme) {
   return {SchemePointer(), &scheme};
 }
 
-// Names are kept beside the schemes: no code of the application runs while the mutex is held.
+// Stores the name, so that no code of the application runs while the mutex is held.
 struct RegisteredScheme {
   std::string name;
   SchemePointer scheme;
@@ -47,8 +47,9 @@ void require_valid_name(std::string_view name) {
   if (!name.empty() && kLetters.find(name.front()) != std::string_view::npos &&
       std::all_of(name.begin(), name.end(), is_valid))
     return;
-  throw std::invalid_argument("a rotation scheme cannot be registered under the name \"" + std::string(name) +
-                              "\": valid are small letters, digits and underscores, a letter first");
+  throw std::invalid_argument(
+      "a rotation scheme cannot be registered under the name \"" + std::string(name) +
+      "\": valid are lower-case letters, digits and underscores, starting with a letter");
 }
 
 }  // namespace
@@ -67,11 +68,10 @@ void register_scheme(SchemePointer scheme) {
   const std::string name(scheme->description().name);
   require_valid_name(name);
   if (find_in(built_in_schemes(), name) != built_in_schemes().end()) {
-    throw std::invalid_argument("the rotation scheme \"" + name +
-                                "\" is built in: register yours under another name");
+    throw std::invalid_argument("the rotation scheme \"" + name + "\" is built in: choose another name");
   }
   RegisteredSchemes& schemes = registered();
-  SchemePointer replaced;  // outlives the lock: its destructor is the application's
+  SchemePointer replaced;  // destroyed after the lock, since its destructor is the application's code
   const std::lock_guard<std::mutex> lock(schemes.mutex);
   const auto known = std::find_if(schemes.list.begin(), schemes.list.end(),
                                   [&](const RegisteredScheme& other) { return other.name == name; });

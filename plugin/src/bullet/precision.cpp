@@ -12,11 +12,11 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// How large the loaded library says its own serialised contact manifold is: the two precisions differ. It
-// must be a function that is compiled into the library alone: an inline one, virtual or not, is taken from
-// this program. The object is made in room enough for either, since the loaded constructor writes its own
-// layout.
-int serialised_size_in_loaded_bullet() {
+// Returns the size of a serialized contact manifold in the loaded library, which differs between the
+// precisions. The function called must be compiled into the library only: an inline function, virtual or not,
+// would come from this program. The buffer is large enough for either precision, since the loaded constructor
+// writes its own layout.
+int serialized_size_in_loaded_bullet() {
   alignas(64) std::byte room[4 * sizeof(btPersistentManifold)];
   const auto* manifold = new (room) btPersistentManifold();
   const int size = manifold->calculateSerializeBufferSize();
@@ -24,10 +24,10 @@ int serialised_size_in_loaded_bullet() {
   return size;
 }
 
-// Returns what is wrong, or a null pointer.
+// Returns an error message, or null if the precisions match.
 const char* mismatch() {
   static const bool matches =
-      serialised_size_in_loaded_bullet() == static_cast<int>(sizeof(btPersistentManifoldData));
+      serialized_size_in_loaded_bullet() == static_cast<int>(sizeof(btPersistentManifoldData));
   if (matches) return nullptr;
 #if POLHODE_BULLET_SCALAR_BITS == 64
   return "polhode::bullet_float64 is for double-precision Bullet, but the Bullet library loaded is "
@@ -38,9 +38,9 @@ const char* mismatch() {
 #endif
 }
 
-// Said when the program is loaded too: the first object of Bullet's that the application makes, long before
-// it reaches this library, may end it, since the loaded constructor writes past the object's end.
-[[maybe_unused]] const bool kToldAtLoad = [] {
+// Also reports a mismatch when the program is loaded. The first Bullet object that the application creates
+// may crash it before it calls this library: the loaded constructor writes past the end of the object.
+[[maybe_unused]] const bool kReportedAtLoad = [] {
   if (const char* message = mismatch()) std::fprintf(stderr, "%s\n", message);
   return true;
 }();

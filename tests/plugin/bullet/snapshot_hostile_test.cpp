@@ -94,7 +94,7 @@ TYPED_TEST(HostileSnapshot, CutAnywhereIsRefused) {
   }
   Snapshot longer = this->of_body;
   longer.push_back(std::byte{0});
-  EXPECT_THAT(this->refusal_of_body(longer), HasSubstr("cut or added to"));
+  EXPECT_THAT(this->refusal_of_body(longer), HasSubstr("truncated or extended"));
   this->expect_unchanged();
 }
 
@@ -147,8 +147,8 @@ TYPED_TEST(HostileSnapshot, OfTheOtherPrecisionIsRefused) {
 }
 
 TYPED_TEST(HostileSnapshot, OfAnotherKindIsRefused) {
-  EXPECT_THAT(this->refusal_of_body(this->of_world), HasSubstr("it is of a world; one body is asked for"));
-  EXPECT_THAT(this->refusal_of_world(this->of_body), HasSubstr("it is of one body; a world is asked for"));
+  EXPECT_THAT(this->refusal_of_body(this->of_world), HasSubstr("it is of a world; one body is required"));
+  EXPECT_THAT(this->refusal_of_world(this->of_body), HasSubstr("it is of one body; a world is required"));
   EXPECT_NE(this->refusal_of_world(sealed(with_byte(this->of_body, kKindAt, 2))), "restored");
   EXPECT_THAT(this->refusal_of_body(with_byte(this->of_body, 0, 'X')), HasSubstr("PLHDSNAP"));
   this->expect_unchanged();
@@ -203,7 +203,7 @@ TYPED_TEST(HostileSnapshot, OfAnotherWorldIsRefused) {
   WorldOrder order = order_of(this->way.world());
   order.objects[0] = order.objects[1];
   EXPECT_THAT(refusal([&] { rotation.restore_world(this->of_world, order); }),
-              HasSubstr("once, and no others"));
+              HasSubstr("exactly once"));
   this->way.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
   EXPECT_THAT(this->refusal_of_world(this->of_world), HasSubstr("of a world with 4 bodies"));
 }

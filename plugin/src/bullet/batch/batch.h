@@ -104,8 +104,8 @@ struct alignas(64) Batch {
   void detach(std::size_t lane);
   /// Leaves the body to Bullet for the rest of the present step.
   void leave_step(std::size_t lane);
-  /// Moves a body here from a lane of a batch of the same scheme, with everything but its drive, which must be
-  /// set already. If memory for the values given to the solver runs out, the rest of the present step omits
+  /// Moves a body here from a batch of the same scheme, with everything but its drive, which must already be
+  /// set. If memory for the values given to the solver runs out, the rest of the present step omits
   /// these.
   void move_from(const Batch& other, std::size_t from, std::size_t to) noexcept;
 

@@ -37,8 +37,8 @@ inline constexpr ResolutionLimits kResolvedWithM = {0.3, 0.8};
 inline constexpr ResolutionLimits kResolvedWithoutM = {0.4, 0.4};
 
 /// Antisymmetric limit for a body with rotors. It is wider, since the rotors' part of G is antisymmetric and
-/// does no work. Measured with wheels inside a hinge, a gimbal and a weld: at a limit of 1.6 energy grows by a
-/// factor of at most 1.34 and the weld opens by 0.01 rad, at 2.2 by 1.04 and 0.1 rad; beyond 3.2 energy
+/// does no work. Measured with wheels inside a hinge, a gimbal and a weld: at a limit of 1.6 energy grows by
+/// a factor of at most 1.34 and the weld opens by 0.01 rad, at 2.2 by 1.04 and 0.1 rad; beyond 3.2 energy
 /// sometimes leaps up. A gyroscope without its gyroscopic term would fall.
 inline constexpr double kResolvedWithRotors = 1.5;
 

@@ -15,7 +15,7 @@
 #include "polhode/bullet/snapshot.h"
 #include "polhode/rotation_state.h"
 
-/// Writes records to bytes and reads them back, by one list of fields for both directions:
+/// Writes records to bytes and reads them back. One list of fields serves both directions:
 ///
 ///   template <class Archive>
 ///   void serialize(Archive& archive, Record& record) { archive(record.first, record.second); }
@@ -28,12 +28,12 @@ inline namespace POLHODE_PRECISION {
   throw std::invalid_argument("this snapshot cannot be restored: " + reason);
 }
 
-/// The unsigned integer of as many bytes.
+/// The unsigned integer type of the same size.
 template <class Number>
 using BitsOf = std::conditional_t<sizeof(Number) == 1, std::uint8_t,
                                   std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint64_t>>;
 
-/// What both directions have in common: how a composite is taken apart.
+/// The common part of Writer and Reader: splits composite values into their fields.
 template <class Direction>
 class Archive {
  public:
@@ -83,7 +83,7 @@ class Archive {
 
 class Writer : public Archive<Writer> {
  public:
-  /// Appends to the bytes, which have their length when the writer is gone.
+  /// Appends to `bytes`. The size of `bytes` is correct only after the writer is destroyed.
   explicit Writer(Snapshot& bytes) : bytes_(bytes), used_(bytes.size()) {}
   ~Writer() { bytes_.resize(used_); }
   Writer(const Writer&) = delete;
@@ -98,8 +98,9 @@ class Writer : public Archive<Writer> {
     if constexpr (std::is_floating_point_v<Number>) {
       if (!std::isfinite(value)) {
         throw std::invalid_argument(
-            "a snapshot holds finite numbers only, and a body, contact or joint has one that is not: set it "
-            "to a finite one, or take a step, which does so for the bodies that the library rotates");
+            "a body, contact or joint has a number that is not finite and cannot be saved: set it to a "
+            "finite "
+            "number, or take a step, which does so for the bodies that the library rotates");
       }
     }
     BitsOf<Number> bits = 0;
@@ -117,16 +118,16 @@ class Writer : public Archive<Writer> {
   static constexpr std::size_t kFirstBytes = 1024;
 
   Snapshot& bytes_;
-  std::size_t used_;  ///< the rest is room
+  std::size_t used_;  ///< bytes written; the rest of bytes_ is spare
 };
 
-/// Throws std::invalid_argument where the bytes are no such record.
+/// Throws std::invalid_argument if the bytes are not a valid record.
 class Reader : public Archive<Reader> {
  public:
   Reader(const std::byte* first, const std::byte* end) : next_(first), end_(end) {}
 
   void require_end() const {
-    if (next_ != end_) refuse_snapshot("it is longer than what it says it holds");
+    if (next_ != end_) refuse_snapshot("it is longer than its contents");
   }
 
  private:
@@ -137,12 +138,12 @@ class Reader : public Archive<Reader> {
   template <class Number>
   void number(Number& value) {
     BitsOf<Number> bits = 0;
-    if (left() < sizeof bits) refuse_snapshot("it is shorter than what it says it holds");
+    if (left() < sizeof bits) refuse_snapshot("it is shorter than its contents");
     for (std::size_t i = 0; i < sizeof bits; ++i) {
       bits = static_cast<BitsOf<Number>>(bits | static_cast<BitsOf<Number>>(*next_++) << (8 * i));
     }
     if constexpr (std::is_same_v<Number, bool>) {
-      if (bits > 1) refuse_snapshot("it holds a truth value that is neither 0 nor 1");
+      if (bits > 1) refuse_snapshot("it holds a boolean that is neither 0 nor 1");
       value = bits != 0;
     } else {
       std::memcpy(&value, &bits, sizeof value);
@@ -155,8 +156,8 @@ class Reader : public Archive<Reader> {
   void resize(List& list) {
     std::uint32_t size = 0;
     number(size);
-    // An element takes a byte at least: a false size does not take memory.
-    if (size > left()) refuse_snapshot("it is shorter than what it says it holds");
+    // An element takes at least one byte, so a false size cannot allocate too much memory.
+    if (size > left()) refuse_snapshot("it is shorter than its contents");
     list.resize(size);
   }
 

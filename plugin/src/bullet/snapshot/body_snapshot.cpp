@@ -10,13 +10,13 @@ inline namespace POLHODE_PRECISION {
 void require_between_steps(WorldStepper& stepper) {
   if (!stepper.is_attached()) {
     throw std::logic_error(
-        "the plugin is detached, or its world is gone: attach() it before saving and restoring");
+        "the plugin is detached, or its world is gone: call attach() before saving or restoring");
   }
   stepper.synchronize();
   if (stepper.is_within_step()) {
     throw std::logic_error(
-        "within a step there is no snapshot: save and restore between two calls of stepSimulation, or in the "
-        "tick callback at the end of a substep");
+        "this function cannot be called within a step: call it between two calls of stepSimulation, or in "
+        "the tick callback at the end of a substep");
   }
 }
 

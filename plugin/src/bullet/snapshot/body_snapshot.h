@@ -7,23 +7,24 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// Synchronizes the stepper, as the other functions want it.
+/// Checks that a snapshot may be saved or restored now. Also synchronizes the stepper, as the other functions
+/// require.
 /// @throws std::logic_error within a step, or if the stepper is detached from its world.
 void require_between_steps(WorldStepper& stepper);
 
-/// The record of an object of the world, with `rotation`.
+/// Returns the record of an object of the world, with `rotation`.
 ObjectRecord record_of(WorldStepper& stepper, btCollisionObject& object);
 
-/// The scheme that the object is to have; null: Bullet is to rotate it. Changes nothing.
+/// Returns the scheme for the object; null if Bullet is to rotate it. Changes nothing.
 /// @throws std::invalid_argument as require_same_object and require_scheme_of.
 SchemePointer require_restorable(WorldStepper& stepper, const ObjectRecord& record, btCollisionObject& object,
                                  const std::string& which);
-/// Writes the record, which is restorable.
-/// @throws std::bad_alloc, having changed nothing, where the body is to have another scheme than at present.
+/// Writes a restorable record to the object.
+/// @throws std::bad_alloc if the scheme must be changed and memory runs out; nothing has changed then.
 void write_to_object(WorldStepper& stepper, ObjectRecord& record, const SchemePointer& scheme,
                      btCollisionObject& object);
 
-/// RotationControl::save and restore.
+/// Implement RotationControl::save and restore.
 Snapshot save_body(WorldStepper& stepper, btRigidBody& body);
 void restore_body(WorldStepper& stepper, btRigidBody& body, const Snapshot& snapshot);
 

@@ -22,8 +22,7 @@ void serialize(Archive& archive, Header& header) {
   archive(header.magic, header.version, header.kind, header.scalar_bytes, header.length);
 }
 
-// FNV-1a over 8 bytes at a time. Each step can be inverted, so a change within 8 bytes always changes the
-// sum.
+// FNV-1a over words of 8 bytes. Each step is invertible, so a change within one word always changes the sum.
 std::uint64_t checksum(const std::byte* first, const std::byte* end) {
   std::uint64_t sum = 0xcbf29ce484222325U;
   while (first != end) {
@@ -62,29 +61,29 @@ void close_envelope(Snapshot& snapshot) {
 
 Reader read_envelope(const Snapshot& snapshot, SnapshotKind kind) {
   if (snapshot.size() < kHeaderBytes + kChecksumBytes)
-    refuse_snapshot("it has " + std::to_string(snapshot.size()) + " bytes, and the shortest one has " +
+    refuse_snapshot("it has " + std::to_string(snapshot.size()) + " bytes: valid are at least " +
                     std::to_string(kHeaderBytes + kChecksumBytes));
   const std::byte* const first = snapshot.data();
   const std::byte* const end = first + snapshot.size() - kChecksumBytes;
   Header header;
   Reader(first, end)(header);
-  if (header.magic != kMagic) refuse_snapshot("it does not begin as one (\"PLHDSNAP\")");
+  if (header.magic != kMagic) refuse_snapshot("it does not begin with \"PLHDSNAP\"");
   if (header.version != kSnapshotVersion)
     refuse_snapshot("its format version is " + std::to_string(header.version) +
                     "; this library reads version " + std::to_string(kSnapshotVersion));
   if (header.scalar_bytes != sizeof(btScalar))
-    refuse_snapshot("it is of a Bullet whose numbers have " + std::to_string(header.scalar_bytes) +
+    refuse_snapshot("it was saved by a Bullet whose numbers have " + std::to_string(header.scalar_bytes) +
                     " bytes; here they have " + std::to_string(sizeof(btScalar)));
   if (header.length != static_cast<std::uint64_t>(end - first) - kHeaderBytes)
-    refuse_snapshot("it has " + std::to_string(snapshot.size()) + " bytes, and says that it has " +
+    refuse_snapshot("it has " + std::to_string(snapshot.size()) + " bytes, but its header says " +
                     std::to_string(header.length + kHeaderBytes + kChecksumBytes) +
-                    ": it was cut or added to");
+                    ": it was truncated or extended");
   std::uint64_t sum = 0;
   Reader(end, end + kChecksumBytes)(sum);
   if (sum != checksum(first, end)) refuse_snapshot("its checksum is wrong: it is damaged");
   if (header.kind != static_cast<std::uint8_t>(kind))
     refuse_snapshot(std::string("it is of ") + name_of(header.kind) + "; " +
-                    name_of(static_cast<std::uint8_t>(kind)) + " is asked for");
+                    name_of(static_cast<std::uint8_t>(kind)) + " is required");
   return {first + kHeaderBytes, end};
 }
 

@@ -2,21 +2,21 @@
 
 #include "bullet/snapshot/archive.h"
 
-/// The bytes around a record:
+/// The envelope of a record:
 ///
-///   magic "PLHDSNAP", format version (4 bytes), kind (1), bytes of Bullet's numbers (1), length of the record
-///   (8), the record, checksum of all before (8)
+///   magic "PLHDSNAP", format version (4 bytes), kind (1), size of btScalar (1), length of the record (8),
+///   the record, checksum of all bytes before (8)
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// To be counted up whenever a record changes: a snapshot of another version is refused.
+/// Increment when a record changes: a snapshot of another version is rejected.
 inline constexpr std::uint32_t kSnapshotVersion = 1;
 
 enum class SnapshotKind : std::uint8_t { body = 1, world = 2 };
 
-/// Starts an envelope: the record is to be appended.
+/// Starts an envelope, to which the record is appended.
 Snapshot open_envelope(SnapshotKind kind);
-/// Ends it.
+/// Completes the envelope.
 void close_envelope(Snapshot& snapshot);
 /// Returns a reader of the record.
 /// @throws std::invalid_argument that says what is wrong with the bytes and what is valid.

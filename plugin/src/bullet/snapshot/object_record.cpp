@@ -25,7 +25,7 @@ RigidRecord record_of_rigid(btRigidBody& body) {
 }
 
 void write_to_rigid(const RigidRecord& record, btRigidBody& body) {
-  // The setters count up revisions, and would be as good for the velocities.
+  // Bullet's setters would also increment revision numbers.
   linear_velocity(body) = record.linear_velocity;
   angular_velocity(body) = record.omega_W;
   inverse_inertia_tensor_W(body) = record.inverse_inertia_W;
@@ -66,14 +66,14 @@ ObjectRecord record_of(btCollisionObject& object) {
 void require_same_object(const ObjectRecord& record, const btCollisionObject& object,
                          const std::string& which) {
   if (record.type != object.getInternalType() || record.shape_type != shape_type_of(object))
-    refuse_snapshot(which + " is of another type or has a shape of another type than in the snapshot");
+    refuse_snapshot(which + " has another type or another type of shape than in the snapshot");
   if (record.activation_state < ACTIVE_TAG || record.activation_state > FIXED_BASE_MULTI_BODY)
-    refuse_snapshot("the activation state of " + which + " is none of Bullet's");
+    refuse_snapshot("the activation state of " + which + " is not a valid Bullet state");
   const btRigidBody* const body = btRigidBody::upcast(&object);
   if ((body != nullptr) != record.rigid.has_value())
-    refuse_snapshot(which + " is a rigid body in one of the snapshot and the world only");
+    refuse_snapshot(which + " is a rigid body either only in the snapshot or only in the world");
   if (record.rotation.has_value() && body == nullptr)
-    refuse_snapshot(which + " is rotated by a scheme in the snapshot, and is not a rigid body");
+    refuse_snapshot(which + " is rotated by a scheme in the snapshot, but is not a rigid body");
   if (body == nullptr) return;
   const RigidRecord& rigid = *record.rigid;
   if (rigid.inverse_mass == body->getInvMass() &&
@@ -82,8 +82,8 @@ void require_same_object(const ObjectRecord& record, const btCollisionObject& ob
   RigidRecord present;
   present.inverse_mass = body->getInvMass();
   present.inverse_inertia_B = body->getInvInertiaDiagLocal();
-  refuse_snapshot(which + " has " + text_of(present) + "; in the snapshot " + text_of(rigid) +
-                  ". Mass and inertia are configuration: set them as they were first");
+  refuse_snapshot(which + " has " + text_of(present) + "; the snapshot has " + text_of(rigid) +
+                  ": set mass and inertia to the snapshot's values first");
 }
 
 void write_to_object(const ObjectRecord& record, btCollisionObject& object) noexcept {

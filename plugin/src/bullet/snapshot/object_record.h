@@ -11,7 +11,7 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// What a btRigidBody has beyond a btCollisionObject.
+/// The data of a btRigidBody in addition to those of a btCollisionObject.
 struct RigidRecord {
   // Compared.
   btScalar inverse_mass = 0;
@@ -30,7 +30,7 @@ void serialize(Archive& archive, RigidRecord& record) {
           record.inverse_inertia_W, record.force, record.torque_W);
 }
 
-/// A collision object of any kind: rigid bodies, static ones and ghosts.
+/// The data of a collision object: a rigid body, a static object or a ghost.
 struct ObjectRecord {
   // Compared.
   std::int32_t type = 0;
@@ -44,7 +44,7 @@ struct ObjectRecord {
   btScalar deactivation_time = 0;
   btScalar hit_fraction = 1;
   std::optional<RigidRecord> rigid;
-  std::optional<RotationRecord> rotation;  ///< none: Bullet rotates it, or nobody
+  std::optional<RotationRecord> rotation;  ///< empty if no scheme rotates the object
 };
 
 template <class Archive>
@@ -54,16 +54,16 @@ void serialize(Archive& archive, ObjectRecord& record) {
           record.deactivation_time, record.hit_fraction, record.rigid, record.rotation);
 }
 
-/// Without `rotation`.
+/// Returns the record without `rotation`.
 ObjectRecord record_of(btCollisionObject& object);
 
-/// `which` names the object in the message.
-/// @throws std::invalid_argument if the object is another than that of the record, by type, shape, mass or
-/// inertia.
+/// Checks that the object matches the record in type, shape, mass and inertia. `which` names the object in
+/// the message.
+/// @throws std::invalid_argument if it does not match.
 void require_same_object(const ObjectRecord& record, const btCollisionObject& object,
                          const std::string& which);
 
-/// All but `rotation`.
+/// Writes everything but `rotation`.
 void write_to_object(const ObjectRecord& record, btCollisionObject& object) noexcept;
 
 }  // namespace POLHODE_PRECISION

@@ -11,7 +11,7 @@ inline namespace POLHODE_PRECISION {
 
 namespace {
 
-// copy(value of the record, values of the batch) for each pair.
+// Calls copy(value of the record, values of the batch) for each pair.
 template <class Copy>
 void for_each_lane_field(RotationRecord& record, Batch& batch, const Copy& copy) {
   copy(record.q_WB.coeffs(), batch.q_WB.coeffs());
@@ -74,9 +74,9 @@ SchemePointer find_by_name(const std::string& name, const SchemePointer& present
   for (const SchemePointer& scheme : all_schemes()) {
     if (scheme->description().name == name) return scheme;
   }
-  refuse_snapshot("its body is rotated by the scheme \"" + name +
-                  "\", which is unknown: register it (register_scheme), or give the body that scheme first "
-                  "(set_scheme). Known are " +
+  refuse_snapshot("it uses the scheme \"" + name +
+                  "\", which is unknown: register it (register_scheme), or set it for the body (set_scheme), "
+                  "before restoring; known are " +
                   scheme_names());
 }
 
@@ -92,7 +92,7 @@ RotationRecord record_of(Batch& batch, std::size_t lane) {
     const Drive& drive = *batch.driven->drives[lane];
     record.drive = {drive.rotor_momentum_B, drive.rotor_torque_B, drive.last_torque};
   }
-  // Constants of a motion that overflowed are as good as none.
+  // Constants that overflowed are useless: reset them, so that they are computed again.
   const auto is_finite = [](double number) { return std::isfinite(number); };
   if (!std::all_of(record.memory.begin(), record.memory.end(), is_finite))
     std::fill(record.memory.begin(), record.memory.end(), 0.0);
@@ -104,13 +104,13 @@ SchemePointer require_scheme_of(const RotationRecord& record, const SchemePointe
   const bool keeps_rotation = scheme->description().rotation != Conservation::lost;
   if (record.memory.size() != memory_rows_of(*scheme) ||
       record.R_WB.size() != (keeps_rotation ? 0 : kNumbersOfR))
-    refuse_snapshot("what it holds of the scheme \"" + record.scheme +
-                    "\" is not what this library's scheme keeps");
+    refuse_snapshot("its data of the scheme \"" + record.scheme +
+                    "\" do not match the scheme of this program");
   if (record.drive && record.drive->has_rotors() && !scheme->description().takes_rotors)
     refuse_snapshot("it has rotors, which the scheme \"" + record.scheme + "\" does not take");
-  constexpr double kLargestError = 1e-9;  // of a unit quaternion, after any number of steps
+  constexpr double kLargestError = 1e-9;  // of the length of a unit quaternion, after any number of steps
   if (!(std::abs(record.q_WB.squaredNorm() - 1.0) < kLargestError))
-    refuse_snapshot("the quaternion of an orientation has not the length 1");
+    refuse_snapshot("the quaternion of an orientation does not have length 1");
   return scheme;
 }
 

@@ -11,7 +11,8 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// What of a Drive changes with time. The law itself is the application's.
+/// The part of a Drive that changes with time. The torque law itself belongs to the application's
+/// configuration.
 struct DriveRecord {
   Vector3 rotor_momentum_B = Vector3::Zero();
   Vector3 rotor_torque_B = Vector3::Zero();
@@ -30,15 +31,15 @@ void serialize(Archive& archive, DriveRecord& record) {
   archive(record.rotor_momentum_B, record.rotor_torque_B, record.last_torque);
 }
 
-/// All that the library knows of a body from one step to the next. A new member of Batch that a step depends
-/// on takes one line in each of the three lists: here, in serialize, and in for_each_lane_field.
+/// Everything that the library stores of a body from one step to the next. A new member of Batch that a step
+/// depends on needs one line in each of the three lists: here, in serialize, and in for_each_lane_field.
 struct RotationRecord {
   std::string scheme;
   Quaternion q_WB = Quaternion::Identity();
   Vector3 omega_W = Vector3::Zero();
   Vector3 L_W = Vector3::Zero();
   std::vector<double> R_WB;    ///< column by column; empty if the scheme keeps a rotation
-  std::vector<double> memory;  ///< of the scheme
+  std::vector<double> memory;  ///< the scheme's memory
   btVector3 written_omega_W = btVector3(0, 0, 0);
   btVector3 inverse_inertia_B = btVector3(0, 0, 0);
   btVector3 origin = btVector3(0, 0, 0);
@@ -47,7 +48,7 @@ struct RotationRecord {
   bool diverged = false;
   bool state_was_set = false;
   std::array<bool, kIncidentKinds> reported{};
-  std::optional<DriveRecord> drive;  ///< none: nothing drives the body
+  std::optional<DriveRecord> drive;  ///< empty: no torque law and no rotors
 };
 
 template <class Archive>
@@ -59,12 +60,12 @@ void serialize(Archive& archive, RotationRecord& record) {
 
 RotationRecord record_of(Batch& batch, std::size_t lane);
 
-/// Returns the scheme for the body of the record: `present`, that of the body now, if it has the name, else a
-/// built-in one.
-/// @throws std::invalid_argument if there is none of the name, or the record does not fit it.
+/// Returns the scheme of the record: `present`, the body's present scheme, if its name matches, else the
+/// built-in or registered one of that name.
+/// @throws std::invalid_argument if there is no scheme of that name, or the record does not match the scheme.
 SchemePointer require_scheme_of(const RotationRecord& record, const SchemePointer& present);
 
-/// The lane has the scheme.
+/// Writes the record to a lane, whose scheme must be that of the record.
 void write_to_lane(RotationRecord& record, Batch& batch, std::size_t lane) noexcept;
 
 }  // namespace POLHODE_PRECISION

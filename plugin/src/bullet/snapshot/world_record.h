@@ -16,7 +16,7 @@ struct JointRecord {
   std::int32_t type = 0;  ///< compared
   bool is_enabled = true;
   btScalar applied_impulse = 0;
-  btScalar accumulated_angle = 0;  ///< of a btHingeAccumulatedAngleConstraint
+  btScalar accumulated_angle = 0;  ///< for btHingeAccumulatedAngleConstraint only
 };
 
 template <class Archive>
@@ -24,7 +24,7 @@ void serialize(Archive& archive, JointRecord& record) {
   archive(record.type, record.is_enabled, record.applied_impulse, record.accumulated_angle);
 }
 
-/// What a world has beyond its bodies, contacts and joints.
+/// The data of a world besides its bodies, contacts and joints.
 struct ClockRecord {
   btScalar local_time = 0;
   btScalar fixed_time_step = 0;
@@ -38,10 +38,9 @@ void serialize(Archive& archive, ClockRecord& record) {
 }
 
 struct WorldRecord {
-  std::vector<ObjectRecord> objects;  ///< in the world's order
-  std::vector<std::int32_t>
-      non_static;  ///< the world's list of bodies that are not static, as places in `objects`
-  std::vector<JointRecord> joints;  ///< in the world's order
+  std::vector<ObjectRecord> objects;     ///< in the world's order
+  std::vector<std::int32_t> non_static;  ///< the world's list of non-static bodies, as indices in `objects`
+  std::vector<JointRecord> joints;       ///< in the world's order
   BroadphaseRecord broadphase;
   ContactRecord contacts;
   ClockRecord clock;
@@ -54,7 +53,7 @@ void serialize(Archive& archive, WorldRecord& record) {
 
 JointRecord record_of(btTypedConstraint& joint);
 void write_to(const JointRecord& record, btTypedConstraint& joint);
-/// Without law_time_s.
+/// Returns the record without law_time_s.
 ClockRecord clock_of(btDiscreteDynamicsWorld& world);
 void write_to(const ClockRecord& record, btDiscreteDynamicsWorld& world);
 

@@ -29,15 +29,15 @@ void require_snapshot_of(btDiscreteDynamicsWorld& world) {
   for (int i = 0; i < objects.size(); ++i) are_rigid &= (objects[i]->getInternalType() & ~kSaved) == 0;
   if (!are_rigid) {
     throw std::invalid_argument(
-        "there is no snapshot of a world with multibodies, soft bodies or other objects of their own: it may "
-        "have rigid bodies, static ones and ghosts");
+        "a world with multibodies, soft bodies or custom collision objects cannot be saved or restored: "
+        "valid are rigid bodies, static objects and ghost objects");
   }
   if (broadphase_of(world) == nullptr ||
       dynamic_cast<btHashedOverlappingPairCache*>(world.getPairCache()) == nullptr ||
       dynamic_cast<btCollisionDispatcher*>(world.getDispatcher()) == nullptr) {
     throw std::invalid_argument(
-        "there is a snapshot only of a world with Bullet's default parts: a btDbvtBroadphase with a "
-        "btHashedOverlappingPairCache, and a btCollisionDispatcher");
+        "a world with a custom broadphase, pair cache or dispatcher cannot be saved or restored: valid are "
+        "btDbvtBroadphase, btHashedOverlappingPairCache and btCollisionDispatcher");
   }
 }
 
@@ -70,8 +70,8 @@ void require_order(const WorldOrder& order, btDiscreteDynamicsWorld& world) {
   if (!have_same_elements(order.objects, world.getCollisionObjectArray()) ||
       !have_same_elements(order.joints, joints(world))) {
     throw std::invalid_argument(
-        "the order does not name each collision object and each joint of the world once, and no others: add "
-        "or remove bodies and joints first, so that the world has what it had when the snapshot was saved");
+        "the order does not list each collision object and each joint of the world exactly once: add or "
+        "remove bodies and joints first, so that the world has those of the snapshot");
   }
 }
 
@@ -91,7 +91,7 @@ std::vector<btRigidBody*> non_static_of(const WorldRecord& record, const WorldOr
   return bodies;
 }
 
-// All that may be wrong with a snapshot; returns the scheme of each object.
+// Throws if anything is wrong with the snapshot. Returns the scheme of each object.
 std::vector<SchemePointer> require_restorable(WorldStepper& stepper, const WorldRecord& record,
                                               const WorldOrder& order) {
   require_same_count(record.objects.size(), order.objects.size(), "bodies and other collision objects");
@@ -103,15 +103,15 @@ std::vector<SchemePointer> require_restorable(WorldStepper& stepper, const World
   }
   for (std::size_t i = 0; i < order.joints.size(); ++i) {
     if (record.joints[i].type != order.joints[i]->getConstraintType())
-      refuse_snapshot("joint " + std::to_string(i) + " is of another type than in the snapshot");
+      refuse_snapshot("joint " + std::to_string(i) + " has another type than in the snapshot");
   }
   if (!have_same_elements(non_static_of(record, order), stepper.world().getNonStaticRigidBodies()))
-    refuse_snapshot("other bodies are static than in the snapshot");
+    refuse_snapshot("the static bodies are not those of the snapshot");
   const std::size_t pairs = record.contacts.pairs.size();
   if (!is_consistent(record.broadphase, record.objects.size()) ||
       !is_consistent(record.contacts, record.objects.size()) ||
       static_cast<std::size_t>(record.broadphase.cleanup_index) > pairs)
-    refuse_snapshot("what it holds of contacts and the broadphase contradicts itself");
+    refuse_snapshot("its contacts or its broadphase are inconsistent");
   return schemes;
 }
 

@@ -6,7 +6,7 @@
 namespace polhode {
 inline namespace POLHODE_PRECISION {
 
-/// RotationControl::save_world and restore_world.
+/// Implement RotationControl::save_world and restore_world.
 Snapshot save_world(WorldStepper& stepper);
 void restore_world(WorldStepper& stepper, const Snapshot& snapshot, const WorldOrder& order);
 
