@@ -105,14 +105,14 @@ TEST(RegisteredScheme, ReplacesTheOneOfItsNameInItsPlace) {
 
 TEST(RegisteredScheme, CannotTakeTheNameOfABuiltInOne) {
   EXPECT_THAT(refusal_of(std::make_shared<NamedScheme>("exact")),
-              HasSubstr("\"exact\" is built in: register yours under another name"));
+              HasSubstr("\"exact\" is built in: choose another name"));
   EXPECT_EQ(find_scheme("exact"), default_scheme());
 }
 
 TEST(RegisteredScheme, NeedsANameThatCommandLinesAndFilesTake) {
   for (const char* name : {"", "Upper", "with space", "bullet:mine", "1st", "_x", "tab\t", "\xc3\xa9"}) {
     EXPECT_THAT(refusal_of(std::make_shared<NamedScheme>(name)),
-                HasSubstr("valid are small letters, digits and underscores, a letter first"))
+                HasSubstr("valid are lower-case letters, digits and underscores, starting with a letter"))
         << name;
   }
   EXPECT_THAT(refusal_of(nullptr), HasSubstr("null pointer"));
