@@ -9,7 +9,7 @@ namespace polhode {
 
 namespace {
 
-// The law has thrown, or its torque cannot be taken.
+// Thrown if the law throws or its torque cannot be used.
 struct LawFailure {};
 
 class Stepper {
@@ -25,7 +25,7 @@ class Stepper {
 
   const RotationState& state() const { return state_; }
 
-  // The first one after the kick that came with the step.
+  // The first drift also applies the kick of the step's input.
   void drift(double part) {
     scheme_.step({input_.inertia_B, input_.delta_omega_W, part * input_.dt}, state_);
     input_.delta_omega_W.setZero();
@@ -38,8 +38,8 @@ class Stepper {
     change_rotor_by_motor(input_.inertia_B, state_.rotor_momentum_B + change_B, state_);
   }
 
-  // The torque that the law has for this motion now.
-  Torque ask(const RotationState& motion) const {
+  // Returns the torque of the law for this motion, at the present time.
+  Torque evaluate_law(const RotationState& motion) const {
     const double seconds = time_ * input_.dt;
     const Torque torque = drive_.law({start_.time_s + seconds, motion.q_WB, motion.omega_W,
                                       start_.position_W + seconds * start_.velocity_W, start_.velocity_W,
@@ -48,7 +48,7 @@ class Stepper {
     return torque;
   }
 
-  // state_ after the torque has acted for part of dt.
+  // Returns state_ after the torque has acted for a part of dt.
   RotationState kicked(const Torque& torque, double part) const {
     RotationState result = state_;
     const double seconds = part * input_.dt;
@@ -60,9 +60,9 @@ class Stepper {
 
   void kick(const Torque& torque, double part) { state_ = kicked(torque, part); }
 
-  // Adds to the kick with which the scheme's step begins.
+  // Adds the law's torque to the kick with which the scheme's step begins.
   Torque kick_at_start() {
-    const Torque torque = ask(state_);
+    const Torque torque = evaluate_law(state_);
     const RotationState after = kicked(torque, 1.0);
     input_.delta_omega_W += after.omega_W - state_.omega_W;
     if (after.rotor_momentum_B != state_.rotor_momentum_B) {
@@ -73,22 +73,23 @@ class Stepper {
   }
 
   Torque kick_in_middle() {
-    const Torque before = drive_.last_torque ? *drive_.last_torque : ask(state_);
-    const Torque torque = ask(kicked(before, 0.5));
+    const Torque before = drive_.last_torque ? *drive_.last_torque : evaluate_law(state_);
+    const Torque torque = evaluate_law(kicked(before, 0.5));
     kick(torque, 1.0);
     return torque;
   }
 
-  // The flow of the torque at a fixed orientation. A torque that the velocity does not change is asked for twice.
+  // The flow of the torque at a fixed orientation. Evaluates a torque that does not depend on the velocity
+  // only twice.
   void kick_by_runge_kutta(double part) {
-    const Torque k1 = ask(state_);
-    const Torque k2 = ask(kicked(k1, 0.5 * part));
+    const Torque k1 = evaluate_law(state_);
+    const Torque k2 = evaluate_law(kicked(k1, 0.5 * part));
     if (k2 == k1) {
       kick(k1, part);
       return;
     }
-    const Torque k3 = ask(kicked(k2, 0.5 * part));
-    const Torque k4 = ask(kicked(k3, part));
+    const Torque k3 = evaluate_law(kicked(k2, 0.5 * part));
+    const Torque k4 = evaluate_law(kicked(k3, part));
     Torque mean;
     mean.world_W = (k1.world_W + 2.0 * (k2.world_W + k3.world_W) + k4.world_W) / 6.0;
     mean.body_B = (k1.body_B + 2.0 * (k2.body_B + k3.body_B) + k4.body_B) / 6.0;
@@ -103,10 +104,10 @@ class Stepper {
   const StepStart& start_;
   const Drive& drive_;
   RotationState state_;
-  double time_ = 0.0;  // since the start, in units of dt
+  double time_ = 0.0;  // since the start of the step, in units of dt
 };
 
-// a_1 ... a_7 and b_1 ... b_6
+// The coefficients a_1 ... a_7 and b_1 ... b_6.
 struct BlanesMoan {
   static constexpr double kA1 = 0.0792036964311957;
   static constexpr double kA2 = 0.353172906049774;
@@ -125,7 +126,7 @@ void take_step_without_law(Stepper& stepper) {
   stepper.ramp_rotor(0.5);
 }
 
-// Returns the torque for the next step.
+// Returns the torque to predict the velocity in the next step.
 std::optional<Torque> take_step_with_law(Stepper& stepper, const RotationScheme& scheme,
                                          TorqueLawOrder order) {
   std::optional<Torque> last_torque;
@@ -158,7 +159,7 @@ DrivenStep take_driven_step(const RotationScheme& scheme, const StepInput& input
       Stepper stepper(scheme, input, start, drive, state);
       const std::optional<Torque> last_torque = take_step_with_law(stepper, scheme, drive.order);
       return {stepper.state(), last_torque, false};
-    } catch (...) {  // the law's own, which is nobody's to handle within a step
+    } catch (...) {  // from the law; cannot be handled within a step
       law_failed = true;
     }
   }
@@ -173,7 +174,7 @@ DriveGain gain_at_start(const RotationScheme& scheme, const StepInput& input, co
                  false};
   if (drive.law == nullptr) return gain;
   try {
-    const Torque torque = Stepper(scheme, input, start, drive, state).ask(state);
+    const Torque torque = Stepper(scheme, input, start, drive, state).evaluate_law(state);
     gain.L_W = input.dt * (torque.world_W + state.R_WB * torque.body_B);
     gain.rotor_end_B += input.dt * torque.rotor_B;
     gain.last_torque = torque;

@@ -5,16 +5,16 @@
 #include "polhode/rotation_scheme.h"
 #include "scheme_base/wide_state.h"
 
-/// The step of the schemes of TurnVelocity::mean, which turn a body at constant momentum:
+/// The step of schemes with TurnVelocity::mean, which turn a body at constant momentum:
 ///
 ///   L_W <- L_W + I_W(q_t) delta_omega_W                kick
-///   q_{t+1} = q_t rho_B(L_B, h),  L_B = q_t^-1 L_W     turn; h the momentum of the rotors
+///   q_{t+1} = q_t rho_B(L_B, h),  L_B = q_t^-1 L_W     turn; h is the momentum of the rotors
 ///   omega_W = I_W(q_{t+1})^-1 (L_W - R(q_{t+1}) h)
 ///
-/// For a torque this is symplectic Euler: of order 1, and a spring keeps its energy.
+/// For a torque this is symplectic Euler: of order 1; a spring's energy does not drift.
 namespace polhode::schemes {
 
-/// L_W + I_W(q_t) delta_omega_W
+/// Returns L_W + I_W(q_t) delta_omega_W.
 template <class Real>
 formulas::Vector<Real> kicked_L_W(const StepInputOf<Real>& input, const StateOf<Real>& start) {
   return start.L_W + formulas::times_inertia_W<Real>(start.R_WB, input.inertia_B, input.delta_omega_W);
@@ -28,7 +28,7 @@ struct FreeMotion {
   double dt;
 };
 
-/// A built-in scheme that turns by `free_turn`, the turn of free motion in body axes.
+/// A built-in scheme that rotates by `free_turn`, which returns the rotation of free motion in body axes.
 template <Quaternion (*free_turn)(const FreeMotion& motion)>
 class KickAndTurnScheme final : public RotationScheme {
  public:
@@ -38,7 +38,7 @@ class KickAndTurnScheme final : public RotationScheme {
 
   void step(const StepInput& input, RotationState& state) const noexcept override {
     const Vector3 L_W = kicked_L_W<double>(input, state);
-    if (!L_W.isZero(0.0) || state.has_rotor()) {  // a body at rest keeps its orientation to the last bit
+    if (!L_W.isZero(0.0) || state.has_rotor()) {  // a body at rest keeps its orientation bit for bit
       const Vector3 L_B = state.R_WB.transpose() * L_W;
       const Quaternion rho_B = free_turn({input.inertia_B, L_B, state.rotor_momentum_B, input.dt});
       set_orientation(state, (state.q_WB * rho_B).normalized());

@@ -7,7 +7,7 @@
 namespace polhode::schemes {
 
 /// A built-in scheme that steps eight bodies at once without a memory. Compiles the formulas of its step and
-/// of its turn for each instruction set.
+/// its turn for each instruction set.
 template <void (*step_formulas)(const WideStepInput&, WideState&),
           void (*turn_formulas)(const Vector3Wide& omega_W, const Wide& dt, WideState&)>
 class WideSchemeDefinition final : public WideScheme {
@@ -37,7 +37,7 @@ class WideSchemeDefinition final : public WideScheme {
   SchemeDescription description_;
 };
 
-// One accessor for each line of the list; the scheme's file defines it.
+// Declares one accessor for each line of the list; the scheme's file defines it.
 #define POLHODE_SCHEME(name) const RotationScheme& name();
 #include "schemes/schemes.list"
 #undef POLHODE_SCHEME

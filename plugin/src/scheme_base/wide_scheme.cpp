@@ -11,7 +11,7 @@ void set_all_lanes(const Doubles& doubles, Values& result) {
   for (int i = 0; i < Values::SizeAtCompileTime; ++i) result.coeffRef(i) = doubles.coeff(i);
 }
 
-// All lanes hold numbers, although only the first one counts: no lane is slow or traps.
+// Fills all lanes, although only the first one counts, so that no lane is slow or traps.
 void set_all_lanes(const RotationState& state, WideState& result) {
   set_all_lanes(state.q_WB.coeffs(), result.q_WB.coeffs());
   set_all_lanes(state.R_WB, result.R_WB);

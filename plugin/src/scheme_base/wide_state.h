@@ -7,7 +7,7 @@
 #include "polhode/rotation_scheme.h"
 #include "simd/wide.h"
 
-/// StepInput and RotationState of eight bodies, and the functions that rotation_math.h has for the latter.
+/// StepInput and RotationState for eight bodies, with the matching functions of rotation_math.h.
 namespace polhode {
 
 struct WideStepInput {
@@ -21,10 +21,10 @@ struct WideState {
   Matrix3Wide R_WB;
   Vector3Wide omega_W;
   Vector3Wide L_W;
-  std::optional<Vector3Wide> rotor_momentum_B;  ///< empty if none of the eight has a rotor
+  std::optional<Vector3Wide> rotor_momentum_B;  ///< empty if none of the eight bodies has a rotor
 };
 
-/// For a step written once for Real = double (one body) and Real = Wide (eight bodies).
+/// The types of a step that is written once for Real = double (one body) and Real = Wide (eight bodies).
 template <class Real>
 using StepInputOf = std::conditional_t<std::is_same_v<Real, double>, StepInput, WideStepInput>;
 template <class Real>
@@ -54,7 +54,7 @@ inline void set_angular_momentum(WideState& state, const Vector3Wide& inertia_B,
   state.omega_W = formulas::times_inverse_inertia_W(state.R_WB, inertia_B, without_rotor(state, L_W));
 }
 
-/// @name One of the bodies
+/// @name Access to one body
 /// @{
 template <class Values, class Doubles>
 void get_lane(std::size_t lane, const Values& values, Doubles& result) {
@@ -101,7 +101,7 @@ inline void set_lane(std::size_t lane, const RotationState& state, WideState& re
 }
 /// @}
 
-/// In each lane `a` where the mask holds, else `b`. Both have rotors, or neither.
+/// Returns `a` in the lanes of the mask, `b` in the others. Either both have rotors or neither has.
 inline WideState select(const WideMask& mask, const WideState& a, const WideState& b) {
   WideState result = {QuaternionWide(select(mask, a.q_WB.coeffs(), b.q_WB.coeffs())),
                       select(mask, a.R_WB, b.R_WB), select(mask, a.omega_W, b.omega_W),

@@ -1,14 +1,15 @@
-// bullet: what Bullet does by default, reproduced, as the control.
+// bullet: reproduces Bullet's default behaviour, as the control.
 //
 //   delta_omega = q_t delta_omega_b by the Newton step of `implicit_gyroscopic`, at omega_t
-//   omega_{t+1} = omega_t + (what the solver changed) + delta_omega
-//   q_{t+1} = d q_t,  d the exponential map of omega_{t+1} dt, cut at pi/4
+//   omega_{t+1} = omega_t + (change by the solver) + delta_omega
+//   q_{t+1} = d q_t,  d the exponential map of omega_{t+1} dt, limited at pi/4
 //
-// Source: Bullet 3.24, btRigidBody::computeGyroscopicImpulseImplicit_Body and
+// Mirrors the formulas of Bullet 3.24, in double precision. Source: Bullet 3.24,
+// btRigidBody::computeGyroscopicImpulseImplicit_Body and
 // btTransformUtil::integrateTransform (exponential map after F. S. Grassia, J. Graphics Tools 3 (1998) 29).
 // Order: 1. Conserves: neither energy nor L (both decay); det R exactly.
-// Fails when: |omega| dt > pi/4: it then turns by 2 atan((|omega|/omega_c) tan(pi/8)), omega_c = pi/(4 dt),
-// less than the velocity it reports.
+// Fails when: |omega| dt > pi/4: the body then turns by 2 atan((|omega|/omega_c) tan(pi/8)), omega_c = pi/(4
+// dt), which is less than the velocity it reports.
 #include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {

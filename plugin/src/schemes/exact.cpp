@@ -1,17 +1,18 @@
-// exact: free motion in closed form, without error but rounding.
+// exact: free motion in closed form, without error except rounding.
 //
 //   L_W <- L_W + I_W(q_t) delta_omega_W             kick
 //   L_B(t + h) by the addition theorem of Jacobi's elliptic functions
-//   q_{t+1} = q_t (e0, e),  e0 e_i = mu_i (L_B(t) + L_B(t + h))_i,  mu_i found once for a motion
+//   q_{t+1} = q_t (e0, e),  e0 e_i = mu_i (L_B(t) + L_B(t + h))_i,  mu_i computed once for a motion
 //   omega_{t+1} = I_W(q_{t+1})^-1 L_W
 //
-// The constants are kept in the body's memory while it moves freely at the same dt. With rotors inside the body the
-// motion is that of a gyrostat, by its Taylor series to rounding. Derivation and sources: free_top/.
+// The constants are kept in the body's memory while the body moves freely with the same dt. A body with
+// rotors is a gyrostat, whose motion is computed by its Taylor series up to rounding. Derivation and sources:
+// free_top/.
 //
-// Order: free motion has no error. Torques: order 1; contacts and joints: as the solver, order 1.
+// Order: free motion has no error. Torques: order 1. Contacts and joints: order 1, like the solver.
 // Conserves: energy, L_W, det R exactly.
-// Fails when: |omega| dt times rounding is no longer small: past 1e9 rad a step the angle is known to 1e-7.
-// A body with rotors: past some 4,000 rad a step.
+// Fails when: |omega| dt times rounding is not small: beyond 1e9 rad a step the angle is known only to 1e-7.
+// For a body with rotors: beyond about 4,000 rad a step.
 #include "free_top/free_top_step.h"
 #include "free_top/gyrostat_step.h"
 #include "free_top/momentum_match.h"
@@ -38,7 +39,7 @@ void turn_freely(const StepInput& input, const Vector3& L_W, RotationState& stat
   set_orientation(state, free_top::advance(kept, q_WB, L_W).normalized());
 }
 
-// A step of any length.
+// Takes a step of any length.
 void step_one(std::size_t lane, const WideStepInput& wide_input, WideState& wide_state, Wide* memory) {
   StepInput input;
   RotationState state;

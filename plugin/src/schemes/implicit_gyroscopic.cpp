@@ -1,4 +1,4 @@
-// implicit_gyroscopic: the gyroscopic torque by implicit Euler, one Newton step in the body frame; it loses
+// implicit_gyroscopic: the gyroscopic torque by implicit Euler, one Newton step in the body frame; loses
 // energy.
 //
 //   omega_{t+1} = omega_t + dt I_t^-1 tau_t + delta_omega_{t+1}                     (eq. 6)
@@ -7,15 +7,15 @@
 //   delta_omega_{t+1} = q_t delta_omega_b                                           (eq. 10)
 //   q_{t+1} by eq. 3
 //
-// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step. With rotors of the momentum h
-// inside the body, f gains dt omega_b0 x h, and I_B omega_b0 in J is I_B omega_b0 + h.
+// delta_omega = dt I_t^-1 tau_t, the change by the torque, is the kick of the step. For rotors of momentum h
+// inside the body, f gains dt omega_b0 x h, and I_B omega_b0 in J becomes I_B omega_b0 + h.
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 4; the same Newton step as
 // btRigidBody::computeGyroscopicImpulseImplicit_Body, after E. Catto, "Numerical Methods", GDC 2015.
 // Order: 1. Conserves: neither energy nor L (both decay); det R exactly.
-// Fails when: |omega| dt is not small: a tumble dies within seconds. It does not blow up, but from some 1.4
-// rad a step on the one Newton step may miss by far and energy leap up, a hundred-thousandfold if moments
-// differ much.
+// Fails when: |omega| dt is not small: a tumble dies out within seconds. The scheme does not blow up, but
+// beyond about 1.4 rad a step the single Newton step may be far off, and energy may leap up, by a factor of a
+// hundred thousand if the moments differ much.
 #include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {

@@ -1,4 +1,4 @@
-// matrix: the rotation matrix itself is integrated, and swells.
+// matrix: integrates the rotation matrix itself, which swells.
 //
 //   S_b = (b, R, p, l), S_b' = (v, Omega, f, tau)              (eq. 1)
 //   I_t^-1 = R_t I_B^-1 R_t^T                                  (problem 1, step 1)
@@ -9,13 +9,13 @@
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 1.
 // Order: 1. Conserves: L_W exactly; energy not; det R not: each step multiplies it by 1 + |omega|^2 dt^2.
-// Fails when: always, in the end. R leaves SO(3) from the first step on, and once R R^T is far from the
-// identity rounding tips omega off L and the motion blows up. On joints it gains energy without bound: a
-// chain of five bodies explodes at 0.08 rad a step.
+// Fails when: always, in the end. R leaves SO(3) from the first step on. Once R R^T is far from the identity,
+// rounding tips omega away from L, and the motion blows up. On joints the scheme gains energy without bound:
+// a chain of five bodies explodes at 0.08 rad a step.
 //
-// The velocity left behind is I_{t+1}^-1 l, the one the next step turns with, so that omega and L agree
-// between steps. A kick adds I_t delta_omega to l: a contact that stops the body stops it. Since I_t shrinks
-// as R swells, the momentum that a torque brings shrinks with it.
+// The velocity after the step is I_{t+1}^-1 l, which is the velocity that the next step turns by, so that
+// omega and L agree between steps. A kick adds I_t delta_omega to l, so that a contact that stops the body
+// does stop it. Since I_t shrinks as R swells, the momentum by a torque shrinks as well.
 #include "math/polar.h"
 #include "scheme_base/scheme_definition.h"
 

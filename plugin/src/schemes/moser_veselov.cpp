@@ -3,13 +3,14 @@
 //   I_1 e0 e1 = (dt/2) L_1 + (I_2 - I_3) e2 e3, and cyclically,  e0 = sqrt(1 - |e|^2)
 //   q_{t+1} = q_t (e0, e)
 //
-// It is solved for a = e/e0, the same divided by e0^2, by Newton's method from (dt/2) omega_B.
+// Dividing by e0^2 gives equations for a = e/e0, which Newton's method solves, starting at (dt/2) omega_B.
 //
 // Source: J. Moser and A. P. Veselov, Commun. Math. Phys. 139 (1991) 217; in quaternions E. Hairer and
 // G. Vilmart, J. Phys. A 39 (2006) 13225.
 // Order: 2 in free motion, 1 under torques. Conserves: energy, L_W, det R exactly.
-// Fails when: |omega| dt is not small: a plain spin turns by asin(|omega| dt). Past 1 most
-// steps have no solution, a ball's none; past 1.3 none is found. The result is then not finite.
+// Fails when: |omega| dt is not small: a plain spin turns by asin(|omega| dt). Beyond 1, most steps have no
+// solution, and those of a ball never have one. Beyond 1.3 no solution is found. The result is then not
+// finite.
 #include "math/cayley_turn.h"
 #include "scheme_base/kick_and_turn.h"
 #include "scheme_base/scheme_definition.h"

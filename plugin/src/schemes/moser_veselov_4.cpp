@@ -1,18 +1,18 @@
-// moser_veselov_4: `moser_veselov` with preprocessed moments of inertia, which make it of order 4.
+// moser_veselov_4: `moser_veselov` with preprocessed moments of inertia, which raise its order to 4.
 //
 //   1/I'_j = (1 + dt^2 s)/I_j + dt^2 d
 //   s = -(1/3) T (1/I_1 + 1/I_2 + 1/I_3) + (I_1 + I_2 + I_3)/(6 I_1 I_2 I_3) |L|^2/2
 //   d = (I_1 + I_2 + I_3)/(6 I_1 I_2 I_3) T - 1/(3 I_1 I_2 I_3) |L|^2/2,   T the kinetic energy
 //   I'_1 e0 e1 = (dt/2) L_1 + (I'_2 - I'_3) e2 e3, and cyclically,   q_{t+1} = q_t (e0, e)
 //
-// The energy of the moments I' is a combination of T and |L|^2, and so the scheme keeps T too.
+// The energy with the moments I' is a combination of T and |L|^2, so the scheme conserves T as well.
 //
 // Source: E. Hairer and G. Vilmart, J. Phys. A 39 (2006) 13225.
 // Order: 4 in free motion, 1 under torques. Conserves: energy, L_W, det R exactly.
-// Fails when: |omega| dt > 1.4: a plain spin turns by asin(x - x^3/6), x = |omega| dt, which falls again from
-// there on. Past sqrt(6) a ball's I' is negative; from 2.2 on other bodies' steps have no solution that is
-// found, and the result is not finite. Bodies that cannot exist, one moment far above the sum of the others,
-// get there sooner: of random ones with moments up to 1e4 apart 1 in 5 at 0.5 rad.
+// Fails when: |omega| dt > 1.4: a plain spin turns by asin(x - x^3/6), x = |omega| dt, which decreases from
+// there on. Beyond sqrt(6) the I' of a ball is negative. Beyond 2.2 no solution may be found for other
+// bodies; the result is then not finite. Physically impossible bodies, with one moment far above the sum of
+// the others, fail sooner: among random ones with moment ratios up to 1e4, 1 in 5 at 0.5 rad.
 #include "math/cayley_turn.h"
 #include "scheme_base/kick_and_turn.h"
 #include "scheme_base/scheme_definition.h"

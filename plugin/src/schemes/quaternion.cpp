@@ -1,16 +1,16 @@
-// quaternion: as `matrix`, with a unit quaternion for the matrix.
+// quaternion: like `matrix`, with a unit quaternion instead of the matrix.
 //
 //   omega_{t+1} = I_t^-1 (l_{t+1} - q_t h),  I_t^-1 = R(q_t) I_B^-1 R(q_t)^T
 //   q* = q_t + (dt/2) [0, omega_{t+1}] q_t,   q_{t+1} = q*/|q*|   (eq. 3)
 //
-// h is the momentum of rotors inside the body, which the exercise has not.
+// h is the momentum of rotors inside the body, which the exercise does not have.
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 2.
 // Order: 1. Conserves: L_W exactly; energy not (it drifts towards an extreme that |L| allows); det R exactly.
-// Fails when: |omega| dt is not small: a step turns by 2 atan(|omega| dt / 2), never more than half a turn.
-// On joints it gains energy without bound: a chain of five bodies explodes at 0.08 rad a step.
+// Fails when: |omega| dt is not small: a step turns by 2 atan(|omega| dt / 2), always less than half a turn.
+// On joints the scheme gains energy without bound: a chain of five bodies explodes at 0.08 rad a step.
 //
-// The velocity left behind is I_{t+1}^-1 (l - q_{t+1} h), as in `matrix`.
+// The velocity after the step is I_{t+1}^-1 (l - q_{t+1} h), for the reason given in `matrix`.
 #include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {

@@ -4,15 +4,17 @@
 //   k1 = f(1),  k2 = f(1 + dt k1 / 2),  k3 = f(1 + dt k2 / 2),  k4 = f(1 + dt k3)
 //   rho = 1 + dt (k1 + 2 k2 + 2 k3 + k4)/6,   q_{t+1} = q_t rho/|rho|
 //
-// rho is the body's turn since the start of the step, L_B the momentum there, h that of the rotors. A stage is no unit quaternion:
-// rho^-1, not its conjugate, turns the momentum without stretching it.
+// rho is the body's turn since the start of the step, L_B(rho) the momentum in body axes there, h the
+// momentum of the rotors. A stage is not a unit quaternion: only rho^-1, not its conjugate, rotates the
+// momentum without scaling it.
 //
 // Source: W. Kutta, Z. Math. Phys. 46 (1901) 435; E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary
 // Differential Equations I (1993), section II.1, table 1.2.
 // Order: 4 in free motion, 1 under torques. Conserves: L_W exactly; energy not; det R exactly.
-// Fails when: it runs long. Energy falls by up to (|omega| dt)^6/200 a step with moments of 1 to 3, as if by
-// friction inside the body, until it spins about its axis of largest moment. Slender bodies, whose velocity a
-// small turn changes much, sooner: with moments 100 apart one step at |omega| dt = 0.5 may be off by 0.02.
+// Fails when: it runs long. Energy falls by up to (|omega| dt)^6/200 a step for moments of 1 to 3, like with
+// friction inside the body, until the body spins about its axis of largest moment. Slender bodies, whose
+// velocity changes much with a small turn, fail sooner: with a moment ratio of 100, one step at |omega| dt =
+// 0.5 may be off by 0.02.
 #include "scheme_base/kick_and_turn.h"
 #include "scheme_base/scheme_definition.h"
 

@@ -1,16 +1,14 @@
-// semi_implicit_gyroscopic: the gyroscopic torque taken at the start of the step; it gains energy and blows
-// up.
+// semi_implicit_gyroscopic: the gyroscopic torque at the start of the step; gains energy and blows up.
 //
 //   omega_{t+1} = omega_t + dt I_t^-1 (tau_t - omega_t x I_t omega_t)   (eq. 4, 5)
 //   q_{t+1} by eq. 3
 //
-// delta_omega = dt I_t^-1 tau_t, the part of the torque, is the kick of the step. With rotors inside the body
-// I_t omega_t is the angular momentum with theirs.
+// delta_omega = dt I_t^-1 tau_t, the change by the torque, is the kick of the step. With rotors inside the
+// body, I_t omega_t stands for the total angular momentum.
 //
 // Source: ETH Zurich, Physically-Based Simulation 2018, exercise 2, problem 3.
 // Order: 1. Conserves: neither energy nor L; det R exactly.
-// Fails when: it runs long enough. The torque is quadratic in omega, so the energy it gains feeds its own
-// growth.
+// Fails when: it runs long enough. The torque is quadratic in omega, so the gain of energy accelerates.
 #include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {
@@ -27,7 +25,7 @@ void turn(const Vector<Real>& omega_W, const Real& dt, StateOf<Real>& state) {
 
 template <class Real>
 void step(const StepInputOf<Real>& input, StateOf<Real>& state) {
-  // (4)  tau_g = omega_t x I_t omega_t.  L_W is I_t omega_t, with that of rotors.
+  // (4)  tau_g = omega_t x I_t omega_t.  L_W is I_t omega_t, including the rotors' momentum.
   const Vector<Real> tau_g_W = state.omega_W.cross(state.L_W);
   // (5)  omega_{t+1} = omega_t + dt I_t^-1 (tau_t - tau_g)
   const Vector<Real> omega_W = state.omega_W + input.delta_omega_W -
