@@ -12,8 +12,8 @@ namespace polhode {
 /// of light. The limit keeps products of velocities in Bullet's solver from overflowing single precision.
 inline constexpr double kMaximumAngularSpeed = 1e9;
 
-/// Longest column of R_WB: a body shown at ten thousand times its size. The limit keeps omega_W = R I_B^-1
-/// R^T L_W and its square from overflowing.
+/// Longest column of R_WB: a body shown at ten thousand times its size. The limit keeps
+/// omega_W = R I_B^-1 R^T L_W and its square from overflowing.
 inline constexpr double kMaximumSwelling = 1e4;
 
 /// Smallest |q_WB|^2. After a step of more radians than a double can represent, normalizing q_WB yields zero.

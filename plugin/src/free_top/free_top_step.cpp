@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kOrders = FreeTopStep<double>::kOrders;
 
-// rad. In double a longer turn is not known to a tenth of a radian, nor how many periods of it are whole: what
-// would be left could be millions of substeps.
+// In rad. In double precision, a longer turn is not known to a tenth of a radian, nor is the number of its
+// whole periods: the remainder could take millions of substeps.
 constexpr double kLongestStep = 1e15;
 
 bool is_known(const Motion<double>& motion) {

@@ -9,21 +9,21 @@
 
 namespace polhode::free_top {
 
-/// One step of fixed length of one free motion, ready to be taken again and again. The constants are found
-/// once by make_free_top_step; a step then needs neither an elliptic nor a trigonometric function.
-/// Real is double, or Wide for the steps of eight bodies. A step with all numbers 0 is empty.
+/// A step of fixed length of a free motion, prepared so that it can be taken repeatedly. make_free_top_step
+/// computes the constants once; a step then needs neither elliptic nor trigonometric functions. Real is
+/// double, or Wide for the steps of eight bodies. A step in which all numbers are 0 is empty.
 template <class Real>
 struct FreeTopStep {
-  /// Of a short step, which is one substep: order_of the axes (labels.h). Each substep of a long step adds
-  /// kOrders, and a long step adds kOrders once more. One number, since eight bodies' are tested at once.
+  /// For a short step, which is one substep: order_of the axes (labels.h). Each substep of a long step adds
+  /// kOrders, and a long step adds kOrders once more. Kept in one number, so that eight bodies can be tested
+  /// at once.
   Real kind;
-  Triple<Real>
-      L;    ///< the momentum in body axes now, in the order of the formulas; a step changes nothing else
-  Real dt;  ///< the step's length
+  Triple<Real> L;  ///< present momentum in body axes, in the order of the formulas; changes in a step
+  Real dt;         ///< length of the step
 
   Substep<Real> substep;
 
-  // The turn about L that is split off a long step; the only turn if L stands still.
+  // The turn about L that is split off from a long step; the only turn if L does not move in the body.
   Real cos_about_L;
   Real sin_about_L_per_length;
 
@@ -49,7 +49,7 @@ struct FreeTopStep {
 };
 static_assert(sizeof(FreeTopStep<double>) == FreeTopStep<double>::kNumbers * sizeof(double));
 
-/// |L|, kg m^2/s, under which a body is taken to be at rest: its square would underflow.
+/// |L|, kg m^2/s, below which a body counts as at rest: its square would underflow.
 inline constexpr double kAtRest = 1e-140;
 
 template <class Real>
@@ -57,24 +57,24 @@ POLHODE_INLINE auto is_short(const FreeTopStep<Real>& step) {
   return step.kind < FreeTopStep<Real>::kOrders;
 }
 
-/// @name Of one body
+/// @name Functions for one body
 /// @{
 Axes<double> axes_of(const FreeTopStep<double>& step);
-/// The number of substeps of one step; 0: the step is only the turn about L.
+/// Returns the number of substeps of one step. With 0 substeps, the step is only the turn about L.
 int substeps_of(const FreeTopStep<double>& step);
 void set_substeps(FreeTopStep<double>& step, int count);
 
-/// inertia_B: principal moments, kg m^2, each > 0. L_B: the angular momentum in body axes, kg m^2/s, at
-/// least kAtRest. dt in s. Where a result is beyond double precision the step's turn is not finite.
+/// Prepares a step. inertia_B: principal moments, kg m^2, each > 0. L_B: angular momentum in body axes,
+/// kg m^2/s, at least kAtRest. dt: s. If a result exceeds double precision, the turn of the step is not finite.
 FreeTopStep<double> make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, double dt);
 
-/// Returns whether the step was made for this length, and its momentum is L_B up to rounding.
+/// Returns true if the step was prepared for this dt and its momentum is L_B up to rounding.
 bool fits(const FreeTopStep<double>& step, const Vector3& L_B, double dt);
 
-/// Takes the step: returns the orientation after it. L_W is the constant momentum.
+/// Takes the step and returns the orientation at its end. L_W is the constant momentum.
 Quaternion advance(FreeTopStep<double>& step, const Quaternion& q_WB, const Vector3& L_W);
 
-/// step.L in body axes.
+/// Returns step.L in body axes.
 Vector3 angular_momentum_B(const FreeTopStep<double>& step);
 /// @}
 

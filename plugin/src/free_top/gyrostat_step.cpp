@@ -13,16 +13,17 @@ namespace polhode::free_top {
 namespace {
 
 constexpr std::size_t kTerms = 30;
-// Of a unit quaternion, below rounding: two terms in a row under it end a series.
+// Relative to a unit quaternion, below rounding. Two consecutive terms below this end a series.
 constexpr double kSmallestTerm = 1e-17;
-// By this factor a part of a step is shortened until it is short enough; what gets this short is not a number.
+// Factor by which a part of a step is shortened until it is short enough. Below kShortestPart the series is
+// not finite.
 constexpr double kShorter = 0.9;
 constexpr double kShortestPart = 1e-12;
-// Far from an equilibrium the energy tells the momentum to rounding. Next to one it does not, and nothing is gained by
-// holding it: relative to omega^2.
+// Relative to omega^2. Far from an equilibrium, the energy determines the momentum up to rounding. Near an
+// equilibrium it does not, and correcting the energy gains nothing.
 constexpr double kFlat = 1e-16;
 
-// The turn rho from the start of a substep, rho(s) = sum s^k rho_k with s from 0 to 1 over `dt`.
+// The turn rho since the start of a substep, rho(s) = sum s^k rho_k, with s from 0 to 1 over `dt`.
 class TurnSeries {
  public:
   TurnSeries(const Vector3& inertia_B, const Vector3& L_B, const Vector3& rotor_B, double dt) {
@@ -34,8 +35,8 @@ class TurnSeries {
 
   bool converged() const { return converged_; }
 
-  // The part of dt at whose end the terms left out are below rounding; 0 if there is none. By products alone: the math
-  // library's powers differ from one machine to the next.
+  // Returns the part of dt after which the omitted terms are below rounding, or 0 if there is none. Uses
+  // products only: the math library's pow differs between machines.
   double reach() const {
     double part = 1.0;
     for (std::size_t k = size_ - 2; k < size_; ++k) {
@@ -110,8 +111,8 @@ Momentum momentum_at(const Quaternion& q_WB, const Vector3& inertia_B, const Vec
   return {L_B, omega_B, 0.5 * omega_B.dot(L_B - rotor_B)};
 }
 
-// The smallest turn that takes L_B, which keeps its length, to the energy. First order is enough: it is rounding that
-// is taken back. dT = omega . dL, and of dL the part across L alone can be had.
+// Returns q_WB after the smallest turn that moves L_B, at constant length, to the given energy. First order
+// is enough to correct rounding. dT = omega . dL, and dL can only be normal to L.
 Quaternion held_at(double energy, const Quaternion& q_WB, const Vector3& inertia_B, const Vector3& L_W,
                    const Vector3& rotor_B) {
   const Momentum now = momentum_at(q_WB, inertia_B, L_W, rotor_B);
@@ -140,7 +141,7 @@ void turn_gyrostat(const StepInput& input, const Vector3& L_W, RotationState& st
 
 namespace {
 
-// In the place of FreeTopStep::dt: no step is as long.
+// Stored in place of FreeTopStep::dt: no step has this length.
 constexpr double kNoStep = -std::numeric_limits<double>::max();
 constexpr std::size_t kPlaceOfDt = 4;
 constexpr std::array<std::size_t, 7> kPlaces = {1, 2, 3, 5, 6, 7, 8};

@@ -4,7 +4,7 @@
 
 #include "simd/wide.h"
 
-/// The order in which the formulas of free motion take a body's axes. Real is double or Wide.
+/// The order of a body's axes in the formulas of free motion. Real is double or Wide.
 namespace polhode::free_top {
 
 template <class Real>
@@ -19,24 +19,24 @@ POLHODE_INLINE Real square(const Real& x) {
 template <class Real>
 using Axes = Triple<Real>;
 
-/// The axes as one number, 0 to 5.
+/// Encodes the axes as one number, 0 to 5.
 template <class Real>
 POLHODE_INLINE Real order_of(const Axes<Real>& axes) {
   return 2.0 * axes[0] + select(axes[1] < axes[2], Real(0.0), Real(1.0));
 }
 
-/// The way back.
+/// Decodes order_of.
 template <class Real>
 POLHODE_INLINE Axes<Real> axes_of(const Real& order) {
   const Real first = select(order < 2.0, Real(0.0), select(order < 4.0, Real(1.0), Real(2.0)));
-  // Of the two others the greater one is axis 3 where the order is even.
+  // Of the two other axes, axis 3 is the greater one if the order is even.
   const Real least_other = select(order < 2.0, Real(1.0), Real(0.0));
   const Real greatest_other = select(order < 4.0, Real(2.0), Real(1.0));
   const auto is_even = order == 2.0 * first;
   return {first, select(is_even, least_other, greatest_other), select(is_even, greatest_other, least_other)};
 }
 
-/// v_B in the order of the formulas.
+/// Returns v_B in the order of the formulas.
 template <class Real, class VectorB>
 POLHODE_INLINE Triple<Real> in_order(const Axes<Real>& axes, const VectorB& v_B) {
   Triple<Real> v;
@@ -46,7 +46,7 @@ POLHODE_INLINE Triple<Real> in_order(const Axes<Real>& axes, const VectorB& v_B)
   return v;
 }
 
-/// The way back.
+/// Returns v in the order of the body.
 template <class Real>
 POLHODE_INLINE Eigen::Matrix<Real, 3, 1> in_body(const Axes<Real>& axes, const Triple<Real>& v) {
   Eigen::Matrix<Real, 3, 1> v_B;
@@ -63,7 +63,7 @@ struct Labelled {
   Axes<Real> axes;
   Triple<Real> inertia;
   Triple<Real> u;  ///< L/|L|
-  Real parity;     ///< of axes as a permutation of x, y, z: 1 or -1
+  Real parity;     ///< of the axes as a permutation of x, y, z: 1 or -1
 
   template <class Condition>
   POLHODE_INLINE void swap_if(const Condition& condition, std::size_t i, std::size_t j) {
@@ -76,7 +76,7 @@ struct Labelled {
   }
 };
 
-/// By moments of inertia, so that axis 2 is the middle one, and the polhode closes round axis 3.
+/// Sorts the axes by moments of inertia, so that axis 2 is the middle one and the polhode encloses axis 3.
 template <class Real, class VectorB>
 POLHODE_INLINE Labelled<Real> labelled(const VectorB& inertia_B, const VectorB& u_B) {
   Labelled<Real> body{
@@ -85,7 +85,7 @@ POLHODE_INLINE Labelled<Real> labelled(const VectorB& inertia_B, const VectorB& 
   body.swap_if(body.inertia[2] < body.inertia[1], 1, 2);
   body.swap_if(body.inertia[1] < body.inertia[0], 0, 1);
   const auto& [I1, I2, I3] = body.inertia;
-  // u3^2 d32 < u1^2 d21: it closes round the axis of the least moment instead.
+  // u3^2 d32 < u1^2 d21: the polhode encloses the axis of the least moment instead.
   const Real round_3 = square(body.u[2]) * (I3 - I2) * I1;
   const Real round_1 = square(body.u[0]) * (I2 - I1) * I3;
   body.swap_if(round_3 < round_1, 0, 2);

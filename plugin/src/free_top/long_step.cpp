@@ -10,7 +10,7 @@ namespace polhode::free_top {
 
 namespace {
 
-// The largest way of L over the unit sphere of the body in h.
+// Returns the longest path of L over the unit sphere of the body in h.
 double longest_way(const Motion<double>& motion) {
   const double B = std::sqrt(ratio(motion.n, motion.d32));
   return Vector3(motion.d32 * B * motion.C, motion.d31 * motion.A * motion.C, motion.d21 * motion.A * B)
@@ -22,8 +22,8 @@ int substeps_for(const Motion<double>& motion) {
       std::ceil(std::max(longest_way(motion), std::sqrt(motion.nu_h2)) / kLongestSubstep));
 }
 
-// After a full period L is back in the body, which has turned about it by this angle (mod 2 pi) beyond
-// 2T h/|L|.
+// Returns the angle (mod 2 pi) by which the body has turned about L after a full period of L in the body, in
+// addition to 2T h/|L|.
 double period_angle(FreeTopStep<double> step, const Motion<double>& period, double parity, double length) {
   const int substeps = substeps_for(period);
   const Motion<double> part = period.over(1.0 / substeps);
@@ -42,8 +42,8 @@ void set_turn_about_L(FreeTopStep<double>& step, double angle, double length) {
   step.sin_about_L_per_length = sine / length;
 }
 
-// The turn by 2T h/|L| about L is split off, which leaves of the body's turn what L moves in the body; whole
-// periods of that only add to the turn about L; the rest is taken in substeps.
+// Splits off the turn by 2T h/|L| about L. The rest of the body's turn follows the motion of L in the body:
+// its whole periods add to the turn about L, the remainder is taken in substeps.
 void set_long_step(FreeTopStep<double>& step, const Motion<double>& motion, double parity, double length) {
   double angle_about_L = motion.energy_angle;
   Motion<double> rest = motion;

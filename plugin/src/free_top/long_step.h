@@ -5,14 +5,14 @@
 
 namespace polhode::free_top {
 
-/// Sets the constants of a step of several radians; step.kind has its order, and step.L is set. length is
+/// Sets the constants of a step of several radians. Requires the order in step.kind, and step.L. `length` is
 /// |L|.
 void set_long_step(FreeTopStep<double>& step, const Motion<double>& motion, double parity, double length);
 
-/// Sets the turn by `angle` about L that is apart from the substeps.
+/// Sets the turn by `angle` about L, which is taken in addition to the substeps.
 void set_turn_about_L(FreeTopStep<double>& step, double angle, double length);
 
-/// One of the step's substeps: returns the turn.
+/// Takes one substep and returns its turn.
 Quaternion take_substep(FreeTopStep<double>& step);
 
 }  // namespace polhode::free_top

@@ -5,11 +5,11 @@
 
 #include "simd/wide.h"
 
-/// The momentum that a FreeTopStep has in body axes, and found_L_B = q_WB^-1 L_W of the state that it is to
-/// step. Real is double or Wide.
+/// Compares the momentum L_B of a FreeTopStep with found_L_B = q_WB^-1 L_W of the state to be stepped. Real
+/// is double or Wide.
 namespace polhode::free_top {
 
-/// Returns whether the two differ by rounding only. The momentum of an empty step, which is 0, is no body's.
+/// Returns true if the two differ only by rounding. False for an empty step, whose momentum is 0.
 template <class Real>
 POLHODE_INLINE auto is_same_momentum(const Eigen::Matrix<Real, 3, 1>& L_B,
                                      const Eigen::Matrix<Real, 3, 1>& found_L_B) {
@@ -17,8 +17,8 @@ POLHODE_INLINE auto is_same_momentum(const Eigen::Matrix<Real, 3, 1>& L_B,
   return Eigen::Matrix<Real, 3, 1>(L_B - found_L_B).squaredNorm() < kSame * kSame * found_L_B.squaredNorm();
 }
 
-/// The smallest turn that takes L_B to found_L_B; first order is enough, for it is of 1e-16 rad. To be taken
-/// before the step's own turn: by rounding alone the two momenta would part, as a random walk.
+/// Returns the smallest turn that takes L_B to found_L_B. First order is enough for 1e-16 rad. Apply before
+/// the step's own turn: otherwise the two momenta would drift apart by rounding, as a random walk.
 template <class Real>
 POLHODE_INLINE Eigen::Quaternion<Real, Eigen::DontAlign> alignment(
     const Eigen::Matrix<Real, 3, 1>& L_B, const Eigen::Matrix<Real, 3, 1>& found_L_B) {

@@ -4,37 +4,37 @@
 
 #include "free_top/labels.h"
 
-/// A step of one free motion. Real is double or Wide.
+/// A step of a free motion. Real is double or Wide.
 ///
-/// Everything is written in quantities without units: u = L/|L|, the angles a_i = |L| h / I_i and their
-/// differences, from which all else follows by sums of terms of one sign, so that nothing cancels:
+/// All quantities are dimensionless: u = L/|L|, the angles a_i = |L| h / I_i and their differences.
+/// Everything else is a sum of terms of one sign, so that nothing cancels:
 ///   d_ij = a_j - a_i = |L| h (I_i - I_j) / (I_i I_j)
 ///   n = u1^2 d31 + u2^2 d32,  p = u2^2 d21 + u3^2 d31           (the two invariants, (nu h)^2 = d32 p)
 ///   A^2 = n / d31,  B^2 = n / d32,  C^2 = p / d31,  m = d21 n / (d32 p)
 /// Then u = (A cn, +-B sn, +-C dn)(nu t + phase | m) (L. D. Landau, E. M. Lifshitz, Mechanics, section 37).
 namespace polhode::free_top {
 
-/// A substep turns by less than this, rad: the square root in `turn_of` takes the branch below pi/2. Also the
-/// most that nu h may be, for the quadrature and the series to be at rounding.
+/// A substep turns by less than this, rad: the square root in `turn_of` is valid below pi/2. Also the largest
+/// nu h for which the quadrature and the series are accurate to rounding.
 inline constexpr double kLongestSubstep = 1.2;
 
-/// Under this an invariant is taken for zero: L then stands still in the body.
+/// An invariant below this counts as zero: L then does not move in the body.
 inline constexpr double kNothing = 1e-290;
 
-/// On the separatrix the period is infinite; with this complement 1 - m it is 188 / nu.
+/// Smallest complement 1 - m. On the separatrix the period is infinite; with this complement it is 188 / nu.
 inline constexpr double kLeastComplement = 1e-40;
 
 template <class Real>
 struct Motion {
   Real d21, d31, d32;
   Real n, p;
-  Real energy_angle;  ///< 2 T h / |L|: by this the body turns about L, on average over all axes
+  Real energy_angle;  ///< 2 T h / |L|: the angle by which the body turns about L, averaged over all axes
   Real A, C;
   Real m, m1;  ///< m1 = 1 - m
   Real nu_h2;  ///< (nu h)^2
   Real turn2;  ///< square of the largest |omega| h on the polhode, rad^2
 
-  /// The same motion over a part of the step.
+  /// Returns the same motion over a part of the step.
   Motion over(const Real& part) const {
     Motion shorter = *this;
     for (Real* angle :
@@ -51,7 +51,7 @@ POLHODE_INLINE Real ratio(const Real& numerator, const Real& denominator) {
   return select(denominator == 0.0, Real(0.0), numerator / denominator);
 }
 
-/// Over a step of h; length is |L|.
+/// Returns the motion for a step of h. `length_times_h` is |L| h.
 template <class Real>
 POLHODE_INLINE Motion<Real> motion_of(const Triple<Real>& inertia, const Triple<Real>& u,
                                       const Real& length_times_h) {
@@ -84,20 +84,20 @@ POLHODE_INLINE Motion<Real> motion_of(const Triple<Real>& inertia, const Triple<
   return motion;
 }
 
-/// Returns whether L moves in the body. It does not in a spin about a principal axis, or about any axis of a
-/// body for which all moments in question are equal.
+/// Returns true if L moves in the body. It does not in a spin about a principal axis, nor if all moments
+/// involved are equal.
 template <class Real>
 POLHODE_INLINE auto moves(const Motion<Real>& motion) {
   using std::abs;
   return (abs(motion.n) >= kNothing) & (motion.nu_h2 >= kNothing);
 }
 
-/// Returns whether the step is one substep.
+/// Returns true if the step is one substep.
 template <class Real>
 POLHODE_INLINE auto is_short(const Motion<Real>& motion) {
   constexpr double kLongest2 = kLongestSubstep * kLongestSubstep;
   return (motion.turn2 <= kLongest2) & (motion.nu_h2 <= kLongest2) &
-         (square(motion.energy_angle) <= kLongest2);  // the last for an L that stands still
+         (square(motion.energy_angle) <= kLongest2);  // for an L that does not move
 }
 
 }  // namespace polhode::free_top

@@ -5,29 +5,30 @@
 
 #include "free_top/turn_constants.h"
 
-/// One application of the closed form. Real is double or Wide.
+/// One evaluation of the closed form. Real is double or Wide.
 ///
 /// "Advance by h" along L = (A cn, +-B sn, +-C dn)(nu t + phase | m) is the addition theorem of Jacobi's
-/// functions (DLMF 22.8): a rational map with constants sn, cn, dn of nu h. All is in the order of the
+/// functions (DLMF 22.8): a rational map whose constants are sn, cn, dn of nu h. Axes are in the order of the
 /// formulas, see labels.h.
 namespace polhode::free_top {
 
 /// The constants of a substep.
 template <class Real>
 struct Substep {
-  Triple<Real> mu;  ///< of the turn: e0 e_i = mu_i (L_i + L'_i)
+  Triple<Real> mu;  ///< constants of the turn: e0 e_i = mu_i (L_i + L'_i)
 
-  // Of the map L -> L'.
+  // Constants of the map L -> L'.
   Real cn;
   Real dn;
   Triple<Real> slope;
-  // Both 0 where L stands still.
-  std::array<Real, 2> pull_12;  ///< back to the invariant that holds L_1 and L_2
-  std::array<Real, 2> pull_23;  ///< back to the one that holds L_2 and L_3
+  // Both are 0 if L does not move.
+  std::array<Real, 2> pull_12;  ///< correction to the invariant of L_1 and L_2
+  std::array<Real, 2> pull_23;  ///< correction to the invariant of L_2 and L_3
 };
 
-/// Where L stands still it comes out as the turn about L, by formulas in which what is 0/0 has no part.
-/// length is |L|; split_off_about_L is the part of the turn about L that is taken apart from the substep.
+/// Computes the constants of a substep. If L does not move, the substep is a turn about L: in the formulas
+/// used, 0/0 has no effect. `length` is |L|; `split_off_about_L` is the part of the turn about L that is
+/// taken separately.
 template <class Real>
 POLHODE_INLINE Substep<Real> make_substep(const Motion<Real>& motion, const Real& parity, const Real& length,
                                           const Real& split_off_about_L) {
@@ -57,18 +58,18 @@ POLHODE_INLINE Substep<Real> make_substep(const Motion<Real>& motion, const Real
   return step;
 }
 
-/// Returns the factor for the components of L that an invariant holds: one first-order step back onto it.
-/// `half` is 1/2 but for rounding, and 0 where L stands still.
+/// Returns the factor that moves components of L back onto their invariant, to first order. `half` is 1/2
+/// except for rounding, and 0 if L does not move.
 template <class Real>
 POLHODE_INLINE Real pull_back(const Real& half) {
   return select(half == 0.0, Real(1.0), Real(1.5 - half));
 }
 
-/// L after a substep: the addition theorem, then back onto the two invariants, which the map would leave by
-/// rounding.
+/// Returns L after a substep: the addition theorem, followed by a correction to the two invariants, from
+/// which rounding would let the map drift.
 template <class Real>
 POLHODE_INLINE Triple<Real> moved(const Substep<Real>& step, const Triple<Real>& L) {
-  // 1/(1 - m sn^2(nu h) sn^2(nu t + phase)), whose factors stand in the slopes of 1 and 3
+  // 1/(1 - m sn^2(nu h) sn^2(nu t + phase)), whose factors are contained in slope[0] and slope[2].
   const Real cn_dn = step.cn * step.dn;
   const Real w = cn_dn / (cn_dn - step.slope[0] * step.slope[2] * square(L[1]));
   Real L1 = w * (step.cn * L[0] + step.slope[0] * L[1] * L[2]);
@@ -81,7 +82,7 @@ POLHODE_INLINE Triple<Real> moved(const Substep<Real>& step, const Triple<Real>&
   return {L1, L2 * pull_23, L3 * pull_23};
 }
 
-/// The turn of a substep: e0 e = mu (L + L'), |(e0, e)| = 1.
+/// Returns the turn of a substep: e0 e = mu (L + L'), |(e0, e)| = 1.
 template <class Real>
 POLHODE_INLINE Eigen::Quaternion<Real, Eigen::DontAlign> turn_of(const Substep<Real>& step,
                                                                  const Axes<Real>& axes,

@@ -16,13 +16,13 @@ POLHODE_INLINE WideStep load(const Wide* memory) {
   return step;
 }
 
-// The lanes in the mask.
+// Stores the lanes of the mask.
 POLHODE_INLINE void store(const WideStep& step, const WideMask& mask, Wide* memory) {
   WideStep::for_each_number(
       step, [&](const Wide& number, std::size_t i) { memory[i] = select(mask, number, memory[i]); });
 }
 
-// As `store`; a step of a free body changes L only.
+// Stores only L, since a step of a free body changes nothing else.
 POLHODE_INLINE void store_L(const Triple<Wide>& L, const WideMask& mask, Wide* memory) {
   constexpr std::size_t kFirst = 1;
   if (all(mask)) {
@@ -32,7 +32,7 @@ POLHODE_INLINE void store_L(const Triple<Wide>& L, const WideMask& mask, Wide* m
   }
 }
 
-// Made for the length of this step, and no kick acts now.
+// Returns the lanes whose step was prepared for this dt and that are not kicked now.
 POLHODE_INLINE WideMask is_prepared_for(const WideStepInput& input, const WideStep& step) {
   WideDifferences differences;
   differences.add(step.dt, input.dt);
@@ -40,7 +40,7 @@ POLHODE_INLINE WideMask is_prepared_for(const WideStepInput& input, const WideSt
   return differences.are_none();
 }
 
-// Short steps, made as make_free_top_step does it.
+// Short steps, prepared as by make_free_top_step.
 struct MadeSteps {
   WideStep step;
   Axes<Wide> axes;
@@ -63,9 +63,9 @@ struct MadeSteps {
   }
 };
 
-// The bodies half way through their step.
+// The bodies after their turn.
 struct Turned {
-  QuaternionWide q_WB;  // of unit length but for rounding
+  QuaternionWide q_WB;  // of unit length up to rounding
   Vector3Wide L_W;
 };
 
@@ -73,11 +73,11 @@ POLHODE_INLINE Turned select(const WideMask& mask, const Turned& a, const Turned
   return {QuaternionWide(select(mask, a.q_WB.coeffs(), b.q_WB.coeffs())), select(mask, a.L_W, b.L_W)};
 }
 
-// `start` is the state before the step: bodies at rest keep its orientation to the last bit.
+// `start` is the state before the step. Bodies at rest keep its orientation bit for bit.
 POLHODE_INLINE WideState end_of(const Turned& turned, const Vector3Wide& inertia_B,
                                 const WideMask& is_at_rest, const WideState& start) {
   WideState end;
-  // One Newton step makes it of unit length.
+  // One Newton step normalizes the quaternion.
   set_orientation(end,
                   QuaternionWide(turned.q_WB.coeffs() * (1.5 - 0.5 * turned.q_WB.coeffs().squaredNorm())));
   if (any(is_at_rest)) {
@@ -88,7 +88,7 @@ POLHODE_INLINE WideState end_of(const Turned& turned, const Vector3Wide& inertia
   return end;
 }
 
-// A step of every body, of which the caller takes those that are free.
+// Steps of all bodies as free ones; the caller selects the free bodies.
 struct FreeSteps {
   Turned turned;
   Triple<Wide> next_L;
@@ -101,7 +101,7 @@ struct FreeSteps {
   }
 };
 
-// The same after a kick, or for the first time.
+// Steps after a kick, or first steps.
 struct ChangedSteps {
   MadeSteps made;
   Turned turned;

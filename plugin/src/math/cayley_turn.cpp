@@ -9,17 +9,18 @@ namespace polhode::formulas {
 
 namespace {
 
-// Three or four do for |omega| dt up to 1; next to where a root vanishes the convergence is only linear.
+// Three or four suffice for |omega| dt up to 1. Close to the end of a branch of roots, convergence is only
+// linear.
 constexpr int kMaximumIterations = 60;
-// Where the line search gives up, it stands at a minimum of the residual.
+// The line search gives up below this fraction, at a minimum of the residual.
 constexpr double kSmallestFraction = 1e-9;
-// Of a Newton step, relative to a. The error that it leaves is of its square, below rounding.
+// Size of the last Newton step, relative to a. The remaining error is of its square, below rounding.
 constexpr double kLastStep = 1e-10;
-// Of the residual, relative to the right-hand side: for bodies so slender that no Newton step gets to
+// Size of the residual relative to the right-hand side, for bodies so slender that no Newton step reaches
 // kLastStep.
 constexpr double kRounding = 1e-14;
 
-// I a + (dt/2) h; without rotors no 0 is added: -0 + 0 is another number to the bit.
+// Returns I a + (dt/2) h. Without rotors nothing is added, since -0 + 0 would change the sign bit.
 Vector3 m_B(const CayleyEquation& equation, const Vector3& a) {
   const Vector3 moment_B = equation.inertia_B.cwiseProduct(a);
   return equation.half_rotor_B.isZero(0.0) ? moment_B : Vector3(moment_B + equation.half_rotor_B);
@@ -30,7 +31,7 @@ Vector3 residual(const CayleyEquation& equation, const Vector3& a) {
   return moment_B + a.cross(moment_B) - (1.0 + equation.stretch * a.squaredNorm()) * equation.half_impulse_B;
 }
 
-// d residual / d a = I + [a] I - [m] - 2 stretch g a^T
+// Returns d residual / d a = I + [a] I - [m] - 2 stretch g a^T.
 Matrix3 jacobian(const CayleyEquation& equation, const Vector3& a) {
   const Vector3 moment_B = m_B(equation, a);
   Matrix3 derivative = skew(a) * equation.inertia_B.asDiagonal() - skew(moment_B) -
@@ -39,13 +40,14 @@ Matrix3 jacobian(const CayleyEquation& equation, const Vector3& a) {
   return derivative;
 }
 
-// Halves the step until the residual falls. False where no fraction of it does, NaN among them.
+// Halves the step until the residual decreases. Returns false if no fraction decreases it, for example with
+// NaN.
 bool search_along(const CayleyEquation& equation, const Vector3& step, Vector3& a, Vector3& residual_at_a) {
   const double start = residual_at_a.norm();
   for (double fraction = 1.0; fraction > kSmallestFraction; fraction *= 0.5) {
     const Vector3 next = a + fraction * step;
     const Vector3 residual_at_next = residual(equation, next);
-    // 1e-4: Armijo's constant, a sufficient decrease.
+    // 1e-4: Armijo's constant for a sufficient decrease
     if (residual_at_next.norm() < (1.0 - 1e-4 * fraction) * start) {
       a = next;
       residual_at_a = residual_at_next;

@@ -9,12 +9,11 @@
 /// Jacobi's elliptic functions of a small argument. Real is double or Wide.
 namespace polhode::formulas {
 
-/// x^2/sn^2(x|m) by its power series, for |x| <= 0.6, parameter 0 <= m <= 1 (m = k^2). Relative error: an
-/// ulp.
+/// x^2/sn^2(x|m) by its power series, for |x| <= 0.6 and 0 <= m <= 1 (m = k^2). Relative error: one ulp.
 ///
 /// 1/sn^2 is Weierstrass' function plus (1 + m)/3 (DLMF 23.6(ii)) and so has the series 23.9.2, with
-/// g2 = 4 (1 - m + m^2)/3 and g3 = 4 (m - 2) (2m - 1) (m + 1)/27. Its poles are the zeros of sn, none of them
-/// nearer than pi, whatever m is: twice as far as those of sn itself.
+/// g2 = 4 (1 - m + m^2)/3 and g3 = 4 (m - 2) (2m - 1) (m + 1)/27. Its poles are the zeros of sn, which are at
+/// least pi away for every m: twice as far as the poles of sn itself.
 template <class Real>
 class SnSeries {
  public:
@@ -36,7 +35,7 @@ class SnSeries {
   }
 
  private:
-  static constexpr std::size_t kTerms = 12;  // the next term is under 1e-17
+  static constexpr std::size_t kTerms = 12;  // the next term is below 1e-17
   std::array<Real, kTerms + 1> c_;
 };
 
@@ -47,7 +46,7 @@ struct JacobiFunctions {
   Real dn;
 };
 
-/// Relative error of each: a few ulp.
+/// Computes the functions with a relative error of a few ulp each.
 template <class Real>
 POLHODE_INLINE JacobiFunctions<Real> jacobi_functions(const SnSeries<Real>& series, const Real& x2,
                                                       const Real& m) {
@@ -62,8 +61,8 @@ JacobiFunctions<Real> jacobi_functions(const Real& x, const Real& m) {
   return jacobi_functions(SnSeries<Real>(m), Real(x * x), m);
 }
 
-/// The complete integral K from the complementary parameter m1 = 1 - m > 0, by the arithmetic-geometric mean
-/// (DLMF 19.8.5). K(m) is a quarter of the functions' period.
+/// Returns the complete integral K for the complementary parameter m1 = 1 - m > 0, by the
+/// arithmetic-geometric mean (DLMF 19.8.5). K(m) is a quarter of the functions' period.
 double complete_elliptic_integral(double m1);
 
 }  // namespace polhode::formulas

@@ -7,19 +7,19 @@ namespace polhode {
 
 namespace {
 
-// Up to this square of the half turn's sine, a turn of 0.45 rad, the series of the arc sine converges.
+// Largest sin^2 of half the turn for which the series of the arc sine converges; a turn of 0.45 rad.
 constexpr double kSeriesSine2 = 0.05;
-// Up to this turn at near_omega_W, rad^2, the shortest rotation vector is the nearest, if it is under 0.45
-// rad: 2.6 + 0.45 < pi.
+// If the turn at near_omega_W is below this, in rad^2, a shortest rotation vector of less than 0.45 rad is
+// also the nearest: 2.6 + 0.45 < pi.
 constexpr double kSmallTurn2 = 2.6 * 2.6;
 
-// The rotation vector of `turn_W` that is nearest to near_W.
+// Returns the rotation vector of `turn_W` that is nearest to near_W.
 POLHODE_INLINE Vector3Wide nearest_rotation_vector(const QuaternionWide& turn_W, const Vector3Wide& near_W) {
   constexpr double kTurn = 6.28318530717958647692;
   const Vector3Wide shortest_W = formulas::logarithm(turn_W);
   const Wide angle = sqrt(shortest_W.squaredNorm());
   const Wide near_angle = sqrt(near_W.squaredNorm());
-  // A turn of rounding alone has no axis of its own.
+  // A turn of the size of rounding has no meaningful axis.
   const WideMask has_axis = angle > 1e-15 * (4.0 + near_angle);
   const Vector3Wide axis_W =
       select(has_axis, Vector3Wide(shortest_W / angle), Vector3Wide(near_W / near_angle));
@@ -30,7 +30,7 @@ POLHODE_INLINE Vector3Wide nearest_rotation_vector(const QuaternionWide& turn_W,
 
 }  // namespace
 
-// With s the sine of half the turn, 2 asin(s)/s times the turn's vector part.
+// Computes 2 asin(s)/s times the vector part of the turn, s the sine of half the turn.
 POLHODE_FOR_EACH_INSTRUCTION_SET
 void mean_angular_velocities_W(const QuaternionWide& start_q_WB, const QuaternionWide& end_q_WB,
                                const Vector3Wide& near_omega_W, const Wide& dt,

@@ -4,36 +4,36 @@
 
 #include "math/rotation.h"
 
-/// The rotation nearest to a matrix R: U V^T of R = U S V^T, the orthogonal factor of its polar
+/// Computes the rotation nearest to a matrix R: U V^T of R = U S V^T, the orthogonal factor of its polar
 /// decomposition. Real is double or Wide.
 ///
 ///   Y <- (sqrt(3)/2) (Y/|Y| + C/|C|),  C = det(Y) Y^-T the cofactors of Y, |.| the Frobenius norm
 ///   until Y is nearly orthogonal, then
 ///   Y <- Y + Y (1 - Y^T Y)/2           twice
 ///
-/// The first is Newton's iteration for the polar factor with Frobenius scaling, Y <- (g Y + (g Y)^-T)/2 with
-/// g^2 = |Y^-1|/|Y|, times a number that the next scaling takes out again: so nothing is divided by det(Y),
-/// which may be zero. The second is Newton's with Schulz' approximation of the inverse: no division.
+/// The first iteration is Newton's for the polar factor with Frobenius scaling, Y <- (g Y + (g Y)^-T)/2 with
+/// g^2 = |Y^-1|/|Y|, times a number that the next scaling removes. It avoids dividing by det(Y), which may be
+/// zero. The second iteration is Newton's with Schulz' approximation of the inverse, which needs no division.
 ///
 /// Source: N. J. Higham, SIAM J. Sci. Stat. Comput. 7 (1986) 1160, section 3; Functions of Matrices (2008),
 /// section 8.3.
 namespace polhode::formulas {
 
-// As 1 - cosine of the angle between Y and C: singular values within 1 +- 0.009. The next iteration makes
-// that 1 +- 4e-5, and the two after it 1e-9 and rounding.
+// As 1 - cosine of the angle between Y and C: the singular values are within 1 +- 0.009. The next iteration
+// makes that 1 +- 4e-5, and the two after that 1e-9 and rounding.
 inline constexpr double kNearlyOrthogonal = 5e-5;
-// Below this cosine det(Y) < 0 is more than rounding.
+// Below this cosine, det(Y) < 0 is not due to rounding.
 inline constexpr double kReflected = -1e-3;
-// A condition number of 1e12 takes 6.
+// A condition number of 1e12 takes 6 iterations.
 inline constexpr int kMostIterations = 20;
 
 template <class Real>
 struct PolarIterate {
   Matrix<Real> Y;
-  Real deviation;  ///< 1 - cosine of the angle between the Y before and its C
+  Real deviation;  ///< 1 - cosine of the angle between the previous Y and its C
 };
 
-/// A matrix with det < 0, whose polar factor is no rotation, is taken by its negative.
+/// Replaces a matrix with det < 0, whose polar factor is not a rotation, by its negative.
 template <class Real>
 PolarIterate<Real> newton_iterate(const Matrix<Real>& Y) {
   using std::sqrt;
@@ -55,7 +55,7 @@ Matrix<Real> schulz_iterate(const Matrix<Real>& Y) {
 template <class Real>
 Matrix<Real> polar_factor(const Matrix<Real>& R) {
   Matrix<Real> Y = R;
-  auto done = R.squaredNorm() < 0.0;  // no body; one that is, or is not finite, waits for the others
+  auto done = R.squaredNorm() < 0.0;  // false in all lanes
   for (int i = 0; i < kMostIterations && !all(done); ++i) {
     const PolarIterate<Real> next = newton_iterate(Y);
     Y = select(done, Y, next.Y);
@@ -64,8 +64,8 @@ Matrix<Real> polar_factor(const Matrix<Real>& R) {
   return schulz_iterate<Real>(schulz_iterate(Y));
 }
 
-/// Four times q times its largest component: of the rows of 4 q q^T, which are sums of Q's elements, the one
-/// with the largest diagonal.
+/// Returns the row of 4 q q^T with the largest diagonal element, which is 4 q times its largest component.
+/// The elements of 4 q q^T are sums of elements of Q.
 template <class Real>
 Eigen::Matrix<Real, 4, 1> quaternion_row(const Matrix<Real>& Q) {
   using Row = Eigen::Matrix<Real, 4, 1>;  // x, y, z, w
@@ -84,8 +84,8 @@ Eigen::Matrix<Real, 4, 1> quaternion_row(const Matrix<Real>& Q) {
   return best;
 }
 
-/// Returns that one of q and -q which is nearer to `before`; the identity for a matrix of rank 1 or 0, or
-/// whose squares overflow.
+/// Returns the nearest rotation: of q and -q the one closer to `before`. Returns the identity for a matrix of
+/// rank 1 or 0, or if its squares overflow.
 template <class Real>
 UnitQuaternion<Real> nearest_rotation(const Matrix<Real>& R, const UnitQuaternion<Real>& before) {
   using std::sqrt;

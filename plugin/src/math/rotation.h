@@ -8,7 +8,7 @@
 #include "polhode/rotation_math.h"
 #include "simd/wide.h"
 
-/// The formulas of rotation_math.h and others that the schemes share, for Real = double (one body) or Wide
+/// The formulas of rotation_math.h, and others that the schemes share, for Real = double (one body) or Wide
 /// (eight bodies). Frames and units as there.
 namespace polhode::formulas {
 
@@ -19,7 +19,7 @@ using Matrix = Eigen::Matrix<Real, 3, 3>;
 template <class Real>
 using UnitQuaternion = Eigen::Quaternion<Real, Eigen::DontAlign>;
 
-/// |v|^2, summed from first to last: Eigen sums doubles in another order than other numbers.
+/// Returns |v|^2, summed from first to last: Eigen's order differs between double and other types.
 template <class Real>
 Real squared_length(const Vector<Real>& v) {
   return v.x() * v.x() + v.y() * v.y() + v.z() * v.z();
@@ -31,7 +31,7 @@ UnitQuaternion<typename Derived::Scalar> normalized(const Eigen::QuaternionBase<
   return UnitQuaternion<typename Derived::Scalar>(q.coeffs() / sqrt(q.coeffs().squaredNorm()));
 }
 
-/// det(M) M^-T: its columns are the cross products of M's.
+/// Returns det(M) M^-T, whose columns are the cross products of M's columns.
 template <class Real>
 Matrix<Real> cofactors(const Matrix<Real>& M) {
   Matrix<Real> result;
@@ -41,15 +41,15 @@ Matrix<Real> cofactors(const Matrix<Real>& M) {
   return result;
 }
 
-/// I_W v with I_W = R I_B R^T, for a rotation.
+/// Returns I_W v with I_W = R I_B R^T, for a rotation.
 template <class Real>
 Vector<Real> times_inertia_W(const Matrix<Real>& R_WB, const Vector<Real>& inertia_B,
                              const Vector<Real>& v_W) {
   return R_WB * inertia_B.cwiseProduct(R_WB.transpose() * v_W);
 }
 
-/// For any R_WB. Summed over the body's axes from first to last: Eigen would add the last two first, and of a
-/// body with L in the diagonal of y and z (the handout's) it would by that symmetry hide what rounding does.
+/// Works for any R_WB. Sums over the body axes from first to last. Eigen would add the last two first; for L
+/// in the diagonal of y and z (as in the handout), this symmetry would hide the effect of rounding.
 template <class Real>
 Matrix<Real> inverse_inertia_W(const Matrix<Real>& R_WB, const Vector<Real>& inertia_B) {
   const Matrix<Real> scaled = R_WB * inertia_B.cwiseInverse().asDiagonal();
@@ -58,15 +58,15 @@ Matrix<Real> inverse_inertia_W(const Matrix<Real>& R_WB, const Vector<Real>& ine
   return of_two + scaled.col(2) * R_WB.col(2).transpose();
 }
 
-/// I_W^-1 v with I_W^-1 = R I_B^-1 R^T, for any R_WB. R (I^-1 (R^T v)), not (R I^-1 R^T) v: where the moments
-/// differ by orders of magnitude the matrix loses digits.
+/// Returns I_W^-1 v with I_W^-1 = R I_B^-1 R^T, for any R_WB. Computed as R (I^-1 (R^T v)): the matrix
+/// R I^-1 R^T loses digits if the moments differ by orders of magnitude.
 template <class Real>
 Vector<Real> times_inverse_inertia_W(const Matrix<Real>& R_WB, const Vector<Real>& inertia_B,
                                      const Vector<Real>& v_W) {
   return R_WB * Vector<Real>(R_WB.transpose() * v_W).cwiseQuotient(inertia_B);
 }
 
-/// M^-T
+/// Returns M^-T.
 template <class Real>
 Matrix<Real> inverse_transposed(const Matrix<Real>& M) {
   const Matrix<Real> C = cofactors(M);
@@ -80,7 +80,7 @@ Vector<Real> angular_momentum_W(const Matrix<Real>& R_WB, const Vector<Real>& in
   return times_inertia_W(inverse_transposed(R_WB), inertia_B, omega_W);
 }
 
-/// The matrix [v] with [v] u = v x u (handout eq. 2).
+/// Returns the matrix [v] with [v] u = v x u (handout eq. 2).
 template <class Real>
 Matrix<Real> skew(const Vector<Real>& v) {
   const Real zero(0.0);
@@ -91,7 +91,7 @@ Matrix<Real> skew(const Vector<Real>& v) {
   return m;
 }
 
-/// x of M x = b: Cramer's rule, and once more for the residual, for a nearly singular M.
+/// Solves M x = b by Cramer's rule, with one refinement by the residual for a nearly singular M.
 template <class Real>
 Vector<Real> solve(const Matrix<Real>& M, const Vector<Real>& b) {
   const Matrix<Real> inverse = inverse_transposed(M).transpose();
@@ -99,12 +99,12 @@ Vector<Real> solve(const Matrix<Real>& M, const Vector<Real>& b) {
   return x + inverse * (b - M * x);
 }
 
-/// The rotation by |v| radians about v, for any v. Error: an ulp of 1 and of |v|. The same bits for double
-/// and Wide.
+/// Returns the rotation by |v| radians about v, for any v. Error: one ulp of 1 and of |v|. Same bits for
+/// double and Wide.
 template <class Real>
 UnitQuaternion<Real> exponential(const Vector<Real>& v) {
   using std::sqrt;
-  // sin(x/2)/x is 1/2 - x^2/48 + x^4/3840 below this angle; the first term left out is under 1e-24.
+  // Below this angle sin(x/2)/x is 1/2 - x^2/48 + x^4/3840; the first omitted term is below 1e-24.
   constexpr double kSeriesAngle = 1e-3;
   const Real angle2 = squared_length(v);
   const Real angle = sqrt(angle2);
@@ -114,10 +114,10 @@ UnitQuaternion<Real> exponential(const Vector<Real>& v) {
   return {cosine, half_sinc * v.x(), half_sinc * v.y(), half_sinc * v.z()};
 }
 
-/// asin(s)/s from s^2 <= 0.05; the terms left out are under 1e-18.
+/// Returns asin(s)/s from s^2 <= 0.05; the omitted terms are below 1e-18.
 template <class Real>
 POLHODE_INLINE Real arc_sine_series(const Real& s2) {
-  // The coefficient of s^(2i).
+  // kArcSine[i] is the coefficient of s^(2i).
   constexpr std::array<double, 13> kArcSine = {1.0,
                                                1.0 / 6.0,
                                                3.0 / 40.0,
@@ -138,18 +138,18 @@ POLHODE_INLINE Real arc_sine_series(const Real& s2) {
     for (std::size_t i = first + 9; i >= 3; i -= 3) sum = sum * s6 + kArcSine[i - 3];
     return sum;
   };
-  // Three sums side by side: none waits for another.
+  // Three independent sums, so that none waits for another.
   const Real first = every_third_term(0) + (s6 * s6) * (s6 * s6) * kArcSine[12];
   return first + (s2 * every_third_term(1) + s4 * every_third_term(2));
 }
 
-/// The inverse of `exponential`: the shortest rotation vector of q, |v| <= pi. The same bits for double and
-/// Wide.
+/// Returns the shortest rotation vector of q, |v| <= pi: the inverse of `exponential`. Same bits for double
+/// and Wide.
 template <class Real>
 Vector<Real> logarithm(const UnitQuaternion<Real>& q) {
   using std::abs, std::sqrt;
-  // With h = half the angle, halved three more times: sin(x/2) = sin(x)/(2 cos(x/2)), cos(x/2) =
-  // sqrt((1 + cos(x))/2). h <= pi/2, and so sin^2(h/8) <= 0.0381.
+  // Halves h = half the angle three times: sin(x/2) = sin(x)/(2 cos(x/2)), cos(x/2) = sqrt((1 + cos(x))/2).
+  // h <= pi/2, so sin^2(h/8) <= 0.0381.
   Real sine2 = squared_length<Real>(q.vec());
   Real cosine = abs(q.w());
   Real cosines = 1.0;
@@ -163,13 +163,13 @@ Vector<Real> logarithm(const UnitQuaternion<Real>& q) {
   return q.vec() * select(q.w() < 0.0, Real(-factor), factor);
 }
 
-/// exp(omega dt) q; q itself at velocity 0.
+/// Returns exp(omega dt) q, or q itself at velocity 0.
 template <class Real>
 UnitQuaternion<Real> turn_exponentially(const UnitQuaternion<Real>& q_WB, const Vector<Real>& omega_W,
                                         const Real& dt) {
   const Vector<Real> turn_W = dt * omega_W;
   const UnitQuaternion<Real> turned = exponential(turn_W) * q_WB;
-  // One Newton step makes it of unit length.
+  // One Newton step normalizes the quaternion.
   const UnitQuaternion<Real> unit(turned.coeffs() * (1.5 - 0.5 * turned.coeffs().squaredNorm()));
   return UnitQuaternion<Real>(select(turn_W.squaredNorm() == 0.0, q_WB.coeffs(), unit.coeffs()));
 }
@@ -184,6 +184,7 @@ UnitQuaternion<Real> turn_by_euler(const UnitQuaternion<Real>& q_t, const Vector
   return normalized(q_star);
 }
 
+/// Mirrors btTransformUtil::integrateTransform of Bullet 3.24, in double precision.
 template <class Real>
 UnitQuaternion<Real> turn_like_bullet(const UnitQuaternion<Real>& q_WB, const Vector<Real>& omega_W,
                                       const Real& dt) {
@@ -191,16 +192,17 @@ UnitQuaternion<Real> turn_like_bullet(const UnitQuaternion<Real>& q_WB, const Ve
   const Real speed = sqrt(omega_W.squaredNorm());
   const Real half_angle = 0.5 * min(Real(speed * dt), Real(kBulletTurnLimit));
   const auto [sine, cosine] = sine_cosine(half_angle);
-  // Past the limit Bullet keeps the axis' length |omega| / omega_c and then normalises.
+  // Beyond the limit Bullet keeps the axis' length |omega| / omega_c and then normalizes.
   const Real length = max(Real(1.0), Real(speed * dt / kBulletTurnLimit)) * sine;
   const Vector<Real> vector = omega_W * (length / speed);
   const UnitQuaternion<Real> turned =
       normalized(UnitQuaternion<Real>(cosine, vector.x(), vector.y(), vector.z()) * q_WB);
-  // At rest the axis is 0/0.
+  // At rest the axis would be 0/0.
   return UnitQuaternion<Real>(select(speed == Real(0.0), q_WB.coeffs(), turned.coeffs()));
 }
 
-/// omega x I omega by the differences of the moments: the terms of the cross product itself would cancel.
+/// Returns omega x I omega from the differences of the moments: the terms of the cross product itself would
+/// cancel.
 template <class Real>
 Vector<Real> omega_cross_I_omega(const Vector<Real>& inertia_B, const Vector<Real>& omega_B) {
   const Real &I_x = inertia_B.x(), &I_y = inertia_B.y(), &I_z = inertia_B.z();
@@ -208,6 +210,7 @@ Vector<Real> omega_cross_I_omega(const Vector<Real>& inertia_B, const Vector<Rea
   return {(I_z - I_y) * (y * z), (I_x - I_z) * (z * x), (I_y - I_x) * (x * y)};
 }
 
+/// Mirrors btRigidBody::computeGyroscopicImpulseImplicit_Body of Bullet 3.24, in double precision.
 template <class Real>
 Vector<Real> implicit_gyroscopic_change_B(const Vector<Real>& inertia_B, const Vector<Real>& omega_b,
                                           const Real& dt) {

@@ -46,7 +46,7 @@ void set_orientation(RotationState& state, const Quaternion& q_WB) {
   state.R_WB = q_WB.toRotationMatrix();
 }
 
-// Without rotors no 0 is added: -0 + 0 is another number to the bit.
+// Without rotors nothing is added, since -0 + 0 would change the sign bit.
 Vector3 without_rotor(const RotationState& state, const Vector3& L_W) {
   return state.has_rotor() ? Vector3(L_W - state.R_WB * state.rotor_momentum_B) : L_W;
 }

@@ -5,8 +5,8 @@
 
 #include "simd/wide.h"
 
-/// Sine and cosine in the same operations for Real = double and Real = Wide. The standard library's differ in
-/// the last bit from one processor to another.
+/// Sine and cosine, by the same operations for Real = double and Real = Wide. The standard library's
+/// functions differ in the last bit between processors.
 namespace polhode::formulas {
 
 template <class Real>
@@ -14,11 +14,11 @@ struct SineCosine {
   Real sine, cosine;
 };
 
-/// sin(x)/x and cos(x) from x^2, by Taylor's series: 11 terms of each for |x| <= 1.25, 9 for |x| <= pi/4, 8
-/// for |x| <= pi/8. Error: an ulp.
+/// Returns sin(x)/x and cos(x) from x^2 by Taylor's series: 11 terms of each for |x| <= 1.25, 9 for
+/// |x| <= pi/4, 8 for |x| <= pi/8. Error: one ulp.
 template <std::size_t terms, class Real>
 POLHODE_INLINE SineCosine<Real> sinc_cosine_series(const Real& x2) {
-  // 1/(2k)! with alternating signs. The first terms left out are under 2e-18.
+  // 1/(2k)! with alternating signs. The first omitted terms are below 2e-18.
   constexpr std::array<double, 11> kCosine = {1.0,
                                               -1.0 / 2,
                                               1.0 / 24,
@@ -45,27 +45,28 @@ POLHODE_INLINE SineCosine<Real> sinc_cosine_series(const Real& x2) {
   return {sinc, cosine};
 }
 
-/// Returns sine and cosine of small x, as sinc_cosine_series. The error of the sine is an ulp of x where x is
-/// smaller.
+/// Returns sine and cosine of small x, as sinc_cosine_series. The error of the sine is one ulp of x if
+/// |x| < 1.
 template <std::size_t terms, class Real>
 POLHODE_INLINE SineCosine<Real> sine_cosine_series(const Real& x) {
   const auto [sinc, cosine] = sinc_cosine_series<terms>(Real(x * x));
   return {x * sinc, cosine};
 }
 
-/// The nearest integer, the even one of two; for |x| < 2^51.
+/// Returns the nearest integer, the even one if there are two. Requires |x| < 2^51.
 template <class Real>
 POLHODE_INLINE Real nearest_integer(const Real& x) {
-  constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52: the unit is the last place of what is near it
+  constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52: nearby doubles are integers
   const Real shifted = x + kShift;
   return shifted - kShift;
 }
 
-/// Returns sine and cosine of any x. Error: an ulp of 1 up to 1e6 rad, beyond it half an ulp of x as well.
+/// Returns sine and cosine of any x. Error: one ulp of 1 up to 1e6 rad; beyond that, half an ulp of x in
+/// addition.
 template <class Real>
 POLHODE_INLINE SineCosine<Real> sine_cosine(const Real& x) {
-  // x = k pi/2 + r. Pi/2 in three parts (W. J. Cody, W. Waite, Software Manual for the Elementary Functions,
-  // 1980): the first two have 33 bits each, so that their products with k < 2^20 are exact.
+  // x = k pi/2 + r, with pi/2 in three parts (W. J. Cody, W. Waite, Software Manual for the Elementary
+  // Functions, 1980). The first two parts have 33 bits each, so that their products with k < 2^20 are exact.
   constexpr double kHalfPi1 = 1.57079632673412561417e+00;
   constexpr double kHalfPi2 = 6.07710050630396597660e-11;
   constexpr double kHalfPi3 = 2.02226624879595063154e-21;

@@ -8,8 +8,8 @@
 // btRigidBody::computeGyroscopicImpulseImplicit_Body and
 // btTransformUtil::integrateTransform (exponential map after F. S. Grassia, J. Graphics Tools 3 (1998) 29).
 // Order: 1. Conserves: neither energy nor L (both decay); det R exactly.
-// Fails when: |omega| dt > pi/4: the body then turns by 2 atan((|omega|/omega_c) tan(pi/8)), omega_c = pi/(4
-// dt), which is less than the velocity it reports.
+// Fails when: |omega| dt > pi/4: the body then turns by 2 atan((|omega|/omega_c) tan(pi/8)) with
+// omega_c = pi/(4 dt), which is less than the velocity it reports.
 #include "scheme_base/scheme_definition.h"
 
 namespace polhode::schemes {

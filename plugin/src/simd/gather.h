@@ -6,10 +6,10 @@
 #include "simd/wide.h"
 
 /// Gathers rows of numbers, one row for each body, from memory into wide numbers, and scatters them back.
-/// `row_of(lane)` points to the first number of a row.
+/// `row_of(lane)` returns a pointer to the first number of a row.
 namespace polhode {
 
-/// Three numbers of each of eight bodies.
+/// Three numbers for each of eight bodies.
 template <class Number>
 struct WideRows {
   using Some = BasicWide<RegistersOf<Number>>;
@@ -17,7 +17,7 @@ struct WideRows {
   Some x, y, z;
 };
 
-/// Four numbers of each of eight bodies.
+/// Four numbers for each of eight bodies.
 template <class Number>
 struct WideRowsOfFour {
   using Some = BasicWide<RegistersOf<Number>>;
@@ -27,7 +27,7 @@ struct WideRowsOfFour {
 
 #if defined(POLHODE_SHUFFLES)
 
-// Takes half the time of moving number by number.
+// Takes half the time of moving the numbers one by one.
 template <class Number>
 class ShuffledRows {
  public:
@@ -53,7 +53,7 @@ class ShuffledRows {
             Some(__builtin_shufflevector(zw_0145, zw_2367, 2, 3, 10, 11, 6, 7, 14, 15))};
   }
 
-  // Each holds the rows of two lanes, `lane` and `lane` + 4.
+  // Each element holds the rows of two lanes, `lane` and `lane` + 4.
   struct Pairs {
     Values of[kLanes / 2];
 
@@ -73,7 +73,7 @@ class ShuffledRows {
     }
   };
 
-  // The first `bytes` of each row.
+  // Stores the first `bytes` of each row.
   template <std::size_t bytes, class RowOf>
   static POLHODE_INLINE void store(const WideRowsOfFour<Number>& columns, RowOf row_of) {
     const Pairs pairs(columns);
@@ -85,7 +85,7 @@ class ShuffledRows {
     }
   }
 
-  // Two rows that follow one another in memory.
+  // Stores two consecutive rows for each lane.
   template <class RowOf>
   static POLHODE_INLINE void store_two(const WideRowsOfFour<Number>& first,
                                        const WideRowsOfFour<Number>& second, RowOf row_of) {
@@ -141,20 +141,20 @@ POLHODE_INLINE void scatter_rows_of_four(const WideRowsOfFour<Number>& columns, 
   scatter_first_of_rows<4>(columns, row_of);
 }
 
-/// Gathers the first three numbers of each row of four; the fourth must be readable.
+/// Gathers the first three numbers of each row of four. The fourth must be readable.
 template <class Number, class RowOf>
 POLHODE_INLINE WideRows<Number> gather_rows(RowOf row_of) {
   const WideRowsOfFour<Number> rows = gather_rows_of_four<Number>(row_of);
   return {rows.x, rows.y, rows.z};
 }
 
-/// Scatters rows of four, whose fourth number becomes zero.
+/// Scatters rows of four and sets the fourth number to zero.
 template <class Number, class RowOf>
 POLHODE_INLINE void scatter_rows(const WideRows<Number>& columns, RowOf row_of) {
   scatter_rows_of_four(WideRowsOfFour<Number>{columns.x, columns.y, columns.z, Number(0.0)}, row_of);
 }
 
-/// Scatters two rows that follow one another in memory, as scatter_rows does.
+/// Does the same for two consecutive rows for each lane.
 template <class Number, class RowOf>
 POLHODE_INLINE void scatter_two_rows(const WideRows<Number>& first, const WideRows<Number>& second,
                                      RowOf row_of) {
@@ -169,7 +169,7 @@ POLHODE_INLINE void scatter_two_rows(const WideRows<Number>& first, const WideRo
   scatter_rows(second, [&](std::size_t lane) { return row_of(lane) + 4; });
 }
 
-/// Scatters rows of three and leaves what follows them in memory.
+/// Scatters rows of three and does not write the memory behind them.
 template <class Number, class RowOf>
 POLHODE_INLINE void scatter_rows_of_three(const WideRows<Number>& columns, RowOf row_of) {
   scatter_first_of_rows<3>(WideRowsOfFour<Number>{columns.x, columns.y, columns.z, Number(0.0)}, row_of);

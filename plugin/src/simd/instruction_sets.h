@@ -2,11 +2,11 @@
 
 #include <cstddef>
 
-/// Before a function: compiled once for each instruction set named, and the best that the processor has is
-/// chosen when the program is loaded. All that the function calls is compiled into it. The bits are the same,
-/// see wide.h. Elsewhere (another processor, system or compiler; ThreadSanitizer, which cannot run so early;
-/// AddressSanitizer, with which GCC takes minutes for each; or where POLHODE_ONE_INSTRUCTION_SET is defined)
-/// the function is compiled once, for what the compiler is told to use.
+/// Put before a function: compiles the function, with everything it calls, once for each instruction set
+/// listed. The best one for the processor is chosen when the program is loaded. All give the same bits, see
+/// wide.h. The function is compiled once, for the compiler's target, on other processors, systems and
+/// compilers, with ThreadSanitizer (which cannot run that early), with AddressSanitizer (for which GCC takes
+/// minutes for each instruction set), and if POLHODE_ONE_INSTRUCTION_SET is defined.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && \
     !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__) && !defined(POLHODE_ONE_INSTRUCTION_SET)
 #define POLHODE_CLONES
@@ -19,8 +19,8 @@
 
 namespace polhode {
 
-/// Whether, in a function compiled for each instruction set, vectors of so many bytes are one register:
-/// others are taken apart, number by number when they are shuffled.
+/// Returns true if a vector of this size fits one register, in a function compiled for each instruction set.
+/// Larger vectors are split, and are shuffled number by number.
 inline bool is_one_register(std::size_t bytes) {
 #if defined(POLHODE_CLONES)
   return bytes <= 16 || (bytes <= 32 && __builtin_cpu_supports("avx2")) ||

@@ -8,11 +8,11 @@
 
 namespace polhode {
 
-/// One bit for each lane, in one byte: a std::bitset<8> takes eight.
+/// One bit for each lane, in one byte: a std::bitset<8> takes eight bytes.
 class LaneBits {
  public:
   LaneBits() = default;
-  /// Bit i of `bits` is lane i's.
+  /// Bit i of `bits` belongs to lane i.
   explicit LaneBits(unsigned bits) : bits_(static_cast<std::uint8_t>(bits)) {}
 
   bool operator[](std::size_t lane) const { return (bits_ >> lane & 1U) != 0; }

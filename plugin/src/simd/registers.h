@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #if defined(__GNUC__)
-// Compiled into whatever calls it, for the instruction set that the caller is compiled for.
+// Inlined into its caller, for the instruction set that the caller is compiled for.
 #define POLHODE_INLINE inline __attribute__((always_inline))
 #else
 #define POLHODE_INLINE inline
@@ -19,22 +19,22 @@
 #endif
 #endif
 
-/// The storage of a Wide: eight numbers, and eight masks that hold where they are not zero.
-/// `apply(operation, result, a, ...)` is `operation(result, a, ...)` in each lane; `choose(result, masks, a,
-/// b)` is `a` where the mask holds, else `b`; `convert(result, values)` is static_cast from another
-/// precision. `bits(masks)` has bit i where mask i holds; `add_differences(result, a, b)` sets in `result`
-/// the bits in which the numbers differ. Either kind gives the same bits.
+/// The storage of a Wide: eight numbers, and eight masks that are true if not zero. `apply(operation, result,
+/// a, ...)` calls `operation(result, a, ...)` for each lane. `choose(result, masks, a, b)` takes `a` where
+/// the mask is true, else `b`. `convert(result, values)` is static_cast from another precision. `bits(masks)`
+/// has bit i set if mask i is true. `add_differences(result, a, b)` sets the bits in `result` in which the
+/// numbers differ. VectorRegistersOf and PlainRegistersOf give the same bits.
 namespace polhode {
 
 inline constexpr std::size_t kLanes = 8;
 
-/// An integer of the same size, as comparisons of vectors give it.
+/// An integer of the same size, the result of comparing vectors.
 template <class Number>
 using MaskNumberOf = std::conditional_t<sizeof(Number) == sizeof(std::int64_t), std::int64_t, std::int32_t>;
 
 #if defined(__GNUC__)
-/// Uses the vector extensions of GCC and Clang, whose operations act on all lanes. Vectors are passed by
-/// reference only: code for different instruction sets would disagree on how to pass them by value.
+/// Uses the vector extensions of GCC and Clang, whose operations act on all lanes. Passes vectors by
+/// reference only, since code for different instruction sets would disagree on how to pass them by value.
 template <class Scalar>
 struct VectorRegistersOf {
   using Number = Scalar;
@@ -68,8 +68,8 @@ struct VectorRegistersOf {
   }
 #endif
 
-  // Chooses bit by bit: where less than eight numbers fit a register, compilers do `masks ? a : b` one by
-  // one.
+  // Selects bit by bit: if a register holds fewer than eight numbers, compilers evaluate `masks ? a : b` one
+  // by one.
   static POLHODE_INLINE void choose(Values& result, const Masks& masks, const Values& a, const Values& b) {
     result = reinterpret_cast<Values>((reinterpret_cast<Masks>(a) & masks) |
                                       (reinterpret_cast<Masks>(b) & ~masks));
@@ -84,7 +84,8 @@ struct VectorRegistersOf {
     result = __builtin_convertvector(values, Values);
   }
 
-  // Adds up as vectors: compilers would compare lanes one by one if they were read one by one.
+  // Combines the masks as vectors: if lanes were read one by one, compilers would also compare them one by
+  // one.
   static POLHODE_INLINE unsigned bits(const Masks& masks) {
     const Masks all_bits = masks & Masks{1, 2, 4, 8, 16, 32, 64, 128};
 #if defined(POLHODE_SHUFFLES)

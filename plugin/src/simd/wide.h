@@ -8,23 +8,23 @@
 #include "simd/lane_bits.h"
 #include "simd/registers.h"
 
-/// A number of each of eight bodies, in vector arithmetic. Each lane has the bits of plain arithmetic on
-/// every instruction set: only operations that IEEE 754 rounds correctly are vectorized, and the compiler
-/// must not contract them.
+/// One number for each of eight bodies, with vector arithmetic. Each lane has the same bits as plain
+/// arithmetic, on every instruction set: only operations that IEEE 754 rounds correctly are vectorized, and
+/// the compiler must not contract them.
 ///
-/// BasicWide is a scalar of Eigen's: Vector3Wide, Matrix3Wide and QuaternionWide below read like their
-/// namesakes in double. Instead of a branch there is `select`.
+/// BasicWide is a scalar type for Eigen: Vector3Wide, Matrix3Wide and QuaternionWide below are used like
+/// their double counterparts. `select` replaces branches.
 namespace polhode {
 
-/// A yes or no in each lane.
+/// A boolean for each lane.
 template <class Registers>
 class alignas(kLanes * sizeof(typename Registers::Number)) BasicWideMask {
  public:
   using Masks = typename Registers::Masks;
 
   BasicWideMask() = default;
-  // A copy constructor of its own makes every compiler pass it by address: in registers, code for different
-  // instruction sets would disagree on which.
+  // User-defined, so that every compiler passes it by address: code for different instruction sets would
+  // disagree on how to pass it in registers.
   POLHODE_INLINE BasicWideMask(const BasicWideMask& other) : masks_(other.masks_) {}
   POLHODE_INLINE BasicWideMask& operator=(const BasicWideMask& other) {
     masks_ = other.masks_;
@@ -46,7 +46,7 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWideMask {
     return result;
   }
 
-  /// Holds in the lanes whose bit is set.
+  /// Returns a mask that is true in the lanes whose bit is set.
   static POLHODE_INLINE BasicWideMask from_bits(const std::bitset<kLanes>& bits) {
     BasicWideMask result;
     for (std::size_t lane = 0; lane < kLanes; ++lane) result.masks_[lane] = bits[lane] ? -1 : 0;
@@ -77,8 +77,8 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWideMask {
   Masks masks_;
 };
 
-/// Aligned as the widest instruction set wants it: without being told so GCC aligns a vector for the set that
-/// it compiles for, and would move it as aligned in a function compiled for another.
+/// Aligned for the widest instruction set. Otherwise GCC would choose the alignment by the instruction set it
+/// compiles for, and rely on it in a function compiled for another.
 template <class Registers>
 class alignas(kLanes * sizeof(typename Registers::Number)) BasicWide {
  public:
@@ -88,7 +88,7 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWide {
 
   BasicWide() = default;
   POLHODE_INLINE BasicWide(const BasicWide& other) : values_(other.values_) {}
-  // Numbers in formulas are plain. NOLINTNEXTLINE(google-explicit-constructor)
+  // Implicit, since numbers in formulas are plain. NOLINTNEXTLINE(google-explicit-constructor)
   POLHODE_INLINE BasicWide(Number same) {
     Registers::apply([same](auto& result) { result = same - decltype(result + result){}; }, values_);
   }
@@ -139,14 +139,14 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWide {
   friend POLHODE_INLINE Mask operator>=(const BasicWide& a, const BasicWide& b) { return b <= a; }
   friend POLHODE_INLINE Mask operator!=(const BasicWide& a, const BasicWide& b) { return !(a == b); }
 
-  /// In each lane `a` where the mask holds, else `b`.
+  /// Returns `a` in the lanes where the mask is true, `b` in the others.
   friend POLHODE_INLINE BasicWide select(const Mask& mask, const BasicWide& a, const BasicWide& b) {
     BasicWide result;
     Registers::choose(result.values_, mask.masks(), a.values_, b.values_);
     return result;
   }
 
-  /// From another precision, as static_cast rounds.
+  /// Converts from another precision, with the rounding of static_cast.
   template <class Others>
   static POLHODE_INLINE BasicWide converted(const BasicWide<Others>& others) {
     BasicWide result;
@@ -154,7 +154,7 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWide {
     return result;
   }
 
-  /// A function of one number, lane by lane.
+  /// Calls a function of one number for each lane.
   template <class Function>
   friend POLHODE_INLINE BasicWide in_each_lane(const BasicWide& a, Function function) {
     BasicWide result;
@@ -162,7 +162,7 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWide {
     return result;
   }
 
-  // Found by argument-dependent lookup, where std:: names the function of a number.
+  // Found by argument-dependent lookup where formulas name the std:: functions of plain numbers.
   friend POLHODE_INLINE BasicWide sqrt(const BasicWide& a) {
     return in_each_lane(a, [](Number x) { return std::sqrt(x); });
   }
@@ -183,7 +183,7 @@ class alignas(kLanes * sizeof(typename Registers::Number)) BasicWide {
   Values values_;
 };
 
-/// Tells whether numbers have the same bits, of any number of pairs at the cost of one comparison.
+/// Finds lanes in which numbers differ in any bit. Takes one comparison for any number of pairs.
 template <class Registers>
 class BasicWideDifferences {
  public:
@@ -205,7 +205,7 @@ using Vector3Wide = Eigen::Matrix<Wide, 3, 1>;
 using Matrix3Wide = Eigen::Matrix<Wide, 3, 3>;
 using QuaternionWide = Eigen::Quaternion<Wide, Eigen::DontAlign>;
 
-/// `select` and `all` of plain numbers, for formulas written for both.
+/// `select` and `all` for plain numbers, for formulas written for both double and Wide.
 POLHODE_INLINE double select(bool condition, double a, double b) {
   return condition ? a : b;
 }
@@ -213,7 +213,7 @@ POLHODE_INLINE bool all(bool condition) {
   return condition;
 }
 
-/// Selects all of a matrix, for either kind of number.
+/// Selects whole matrices, for both double and Wide.
 template <class Mask, class Scalar, int rows, int columns, int options>
 POLHODE_INLINE auto select(const Mask& mask, const Eigen::Matrix<Scalar, rows, columns, options>& a,
                            const Eigen::Matrix<Scalar, rows, columns, options>& b) {
@@ -245,7 +245,7 @@ struct NumTraits<polhode::BasicWide<Registers>> : GenericNumTraits<polhode::Basi
   // NOLINTEND(readability-identifier-naming)
 };
 
-// 2.0 * vector and the like.
+// For expressions like 2.0 * vector.
 template <class Registers, class Operation>
 struct ScalarBinaryOpTraits<double, polhode::BasicWide<Registers>, Operation> {
   using ReturnType = polhode::BasicWide<Registers>;
@@ -255,7 +255,7 @@ struct ScalarBinaryOpTraits<polhode::BasicWide<Registers>, double, Operation> {
   using ReturnType = polhode::BasicWide<Registers>;
 };
 
-// The alignment of Wide is more than the one Eigen would ask for, which Clang refuses.
+// Eigen would ask for less alignment than that of Wide, which Clang rejects.
 template <class Registers, int size>
 struct internal::compute_default_alignment<polhode::BasicWide<Registers>, size> {
   enum { value = 0 };
