@@ -65,7 +65,8 @@ int substeps_of(const FreeTopStep<double>& step);
 void set_substeps(FreeTopStep<double>& step, int count);
 
 /// Prepares a step. inertia_B: principal moments, kg m^2, each > 0. L_B: angular momentum in body axes,
-/// kg m^2/s, at least kAtRest. dt: s. If a result exceeds double precision, the turn of the step is not finite.
+/// kg m^2/s, at least kAtRest. dt: s. If a result exceeds double precision, the turn of the step is not
+/// finite.
 FreeTopStep<double> make_free_top_step(const Vector3& inertia_B, const Vector3& L_B, double dt);
 
 /// Returns true if the step was prepared for this dt and its momentum is L_B up to rounding.

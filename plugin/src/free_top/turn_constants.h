@@ -20,8 +20,8 @@ using formulas::JacobiFunctions, formulas::SnSeries;
 
 /// Returns J. The turn about L from -h/2 to h/2, with L_2 = 0 in the middle, is psi = integral of
 /// (a3 u3 + 2T h/|L|)/(1 + u3) d(t/h) with u3 = C dn(nu t). This equals 2T h/|L| - n J with
-/// J = integral of u3/(1 + u3). The integrand is even. Gauss-Legendre quadrature with 10 nodes, 5 by symmetry,
-/// is accurate to rounding for nu h <= 1.2.
+/// J = integral of u3/(1 + u3). The integrand is even. Gauss-Legendre quadrature with 10 nodes, 5 by
+/// symmetry, is accurate to rounding for nu h <= 1.2.
 template <class Real>
 POLHODE_INLINE Real mean_of_dn_term(const Motion<Real>& motion, const SnSeries<Real>& series) {
   using std::sqrt;
@@ -44,11 +44,12 @@ POLHODE_INLINE Real mean_of_dn_term(const Motion<Real>& motion, const SnSeries<R
 
 /// Returns mu for unit momentum. The increment of the symmetric step is
 /// rho = arc(u-)^-1 (cos psi/2, e3 sin psi/2) arc(u+), with arc(u) the shortest rotation that takes u to
-/// axis 3, u+- = (A c0, +-B s0, C d0), and s0, c0, d0 the functions of nu h/2. With `a` = A c0, b = B s0 and u3 = C d0 this is
+/// axis 3, u+- = (A c0, +-B s0, C d0), and s0, c0, d0 the functions of nu h/2. With `a` = A c0, b = B s0 and
+/// u3 = C d0 this is
 ///   e0 = c (1 - b^2/(1 + u3)) - s ab/(1 + u3),  e1 = b c + a s,  e3 = s (u3 + b^2/(1 + u3)) - c ab/(1 + u3)
 /// mu_1 = e0 e1/(2 A c0), mu_3 = e0 e3/(2 C d0), in which A and C cancel; and
-/// mu_2 = mu_1 - e0^2 d21/K = mu_3 + e0^2 d32/K with K = 2 c0 d0 nu h/s0, where the smaller difference cancels
-/// least.
+/// mu_2 = mu_1 - e0^2 d21/K = mu_3 + e0^2 d32/K with K = 2 c0 d0 nu h/s0, where the smaller difference
+/// cancels least.
 template <class Real>
 POLHODE_INLINE Triple<Real> turn_constants(const Motion<Real>& motion, const JacobiFunctions<Real>& half,
                                            const Real& psi) {

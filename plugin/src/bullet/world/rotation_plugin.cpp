@@ -110,7 +110,7 @@ btSimulationIslandManager* make_listening(btSimulationIslandManager& worlds_own,
     return listening<btSimulationIslandManagerMt>(worlds_own, listener);
   }
   throw std::invalid_argument(
-      "RotationPlugin cannot replace this world's island manager, which is of a custom class: valid are "
+      "the island manager of this world is of a custom class, which RotationPlugin cannot replace: valid are "
       "btSimulationIslandManager and btSimulationIslandManagerMt; or use a RotationWorld");
 }
 
