@@ -1,14 +1,14 @@
-# Installs a tree that can be moved: headers, libraries, find_package(polhode CONFIG) and pkg-config files.
+# Installs a relocatable tree: headers, libraries, find_package(polhode CONFIG) and pkg-config files.
 
 include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/polhode)
 
-# Each library is an export set of its own, so that a user who lacks one of the two Bullets gets the rest.
+# Each library is a separate export set, so that a user without one of the two Bullets can use the rest.
 foreach(component IN ITEMS core bullet bullet_float64)
   if(NOT TARGET polhode_${component})
     continue()
   endif()
-  # While the major version is 0, a new minor version may break its users.
+  # While the major version is 0, a new minor version may break compatibility.
   set_target_properties(polhode_${component} PROPERTIES
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   if(NOT APPLE)
@@ -25,7 +25,7 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/polhodeConfigVersio
 install(FILES cmake/polhodeConfig.cmake cmake/PolhodeBullet.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/polhodeConfigVersion.cmake DESTINATION ${package_dir})
 
-# A pkg-config file names Bullet's; where the build's Bullet has none, it would find another one, or nothing.
+# The pkg-config file requires Bullet's. If the build's Bullet has none, it would find another Bullet, or nothing.
 function(polhode_install_pkg_config name library precision bits bullet_module)
   if(NOT TARGET PkgConfig::POLHODE_PKG_BULLET_FLOAT${bits})
     return()

@@ -1,9 +1,9 @@
-# Finds Bullet in one precision and wraps it in an imported target. Used by the build and, installed, by
+# Finds Bullet in one precision and wraps it in an imported target. Used by the build and, after installation, by
 # find_package(polhode).
 #
-# Bullet's own BulletConfig.cmake is not used: as Debian ships it, its include directory is relative and it names
-# libraries that are not installed. In order: the target the user names, pkg-config, CMake's FindBullet module (which
-# knows single precision only).
+# Tries in this order: the target named by the user, pkg-config, CMake's FindBullet module (single precision only).
+# Does not use Bullet's own BulletConfig.cmake: in Debian's package its include directory is relative, and it names
+# libraries that are not installed.
 
 # polhode_find_bullet(<bits> <pkg-config module> <user's target or empty>) defines PolhodeBullet::float<bits> and sets
 # POLHODE_BULLET_FLOAT<bits>_FOUND.
@@ -15,8 +15,8 @@ function(polhode_find_bullet bits module user_target)
   endif()
   if(user_target)
     if(NOT TARGET ${user_target})
-      message(FATAL_ERROR "polhode: the Bullet target \"${user_target}\" does not exist; define it before polhode, "
-        "or leave POLHODE_BULLET_FLOAT${bits}_TARGET empty to have Bullet found")
+      message(FATAL_ERROR "polhode: the Bullet target \"${user_target}\" does not exist: define it before polhode, "
+        "or leave POLHODE_BULLET_FLOAT${bits}_TARGET empty to search for Bullet")
     endif()
     add_library(${target} INTERFACE IMPORTED GLOBAL)
     target_link_libraries(${target} INTERFACE ${user_target})

@@ -2,8 +2,8 @@
 #   polhode::core            schemes and rotation mathematics, no Bullet
 #   polhode::bullet          the adapter for single-precision Bullet
 #   polhode::bullet_float64  the adapter for double-precision Bullet
-# Without COMPONENTS: each adapter that is installed and whose Bullet is found. To use a Bullet of your own, name its
-# target in POLHODE_BULLET_FLOAT32_TARGET or POLHODE_BULLET_FLOAT64_TARGET before the call.
+# Without COMPONENTS, finds each adapter that is installed and whose Bullet is found. To use your own Bullet, set
+# POLHODE_BULLET_FLOAT32_TARGET or POLHODE_BULLET_FLOAT64_TARGET to its target before the call.
 
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3 3.4 NO_MODULE)
@@ -19,7 +19,7 @@ macro(_polhode_find_adapter component bits precision module)
       include("${CMAKE_CURRENT_LIST_DIR}/polhode-${component}.cmake")
       set(polhode_${component}_FOUND TRUE)
     else()
-      set(_polhode_reason_${component} "Bullet in ${precision} precision was not found (pkg-config module ${module}); install it, or name a target of yours in POLHODE_BULLET_FLOAT${bits}_TARGET")
+      set(_polhode_reason_${component} "Bullet in ${precision} precision was not found (pkg-config module ${module}): install it, or set POLHODE_BULLET_FLOAT${bits}_TARGET to a target of yours")
     endif()
   else()
     set(_polhode_reason_${component} "this installation of polhode was built without it")

@@ -1,4 +1,4 @@
-# Writes a source that names the Bullet which each adapter was linked to. An adapter that was not built is empty.
+# Writes a source file that names the Bullet library to which each adapter is linked; empty if an adapter was not built.
 foreach(bits 32 64)
   set(name "")
   if(adapter${bits})

@@ -1,4 +1,4 @@
-// The library's face to the interposer.
+// The adapter library's interface to the interposer.
 #include "run/adapter/adapter.h"
 
 #include <BulletDynamics/Dynamics/btDynamicsWorld.h>
@@ -11,7 +11,8 @@ namespace polhode::run {
 
 namespace {
 
-// Never destroyed: worlds may die after the last destructor of this library, and each tells its plugin.
+// Never destroyed: worlds may be destroyed after the last destructor of this library, and notify their
+// plugins.
 RotatedWorlds* worlds = nullptr;
 
 bool start(const char* scheme, Report report) noexcept {
@@ -23,7 +24,7 @@ bool start(const char* scheme, Report report) noexcept {
   }
 }
 
-// Every world class derives from btDynamicsWorld alone, so the address is that of the base too.
+// btDynamicsWorld is the only base of every world class, so the address is also that of the base.
 bool before_step(void* world) noexcept {
   return worlds->before_step(*static_cast<btDynamicsWorld*>(world));
 }

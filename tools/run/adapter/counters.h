@@ -7,7 +7,7 @@
 
 namespace polhode::run {
 
-/// Counts, in a program that may step several worlds on several threads.
+/// Thread-safe counters: a program may step several worlds on several threads.
 struct Counters {
   std::atomic<std::uint64_t> rotated_worlds{0};
   std::atomic<std::uint64_t> worlds_left_to_bullet{0};

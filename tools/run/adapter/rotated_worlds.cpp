@@ -13,7 +13,7 @@ namespace polhode::run {
 
 namespace {
 
-// Asks by the public interface: a choice is refused once the world is gone.
+// Uses the public interface: setting a scheme throws if the world is gone.
 bool is_world_gone(RotationPlugin& plugin, const std::string& scheme) {
   try {
     plugin.rotation().set_default_scheme(scheme);
@@ -33,7 +33,7 @@ bool RotatedWorlds::before_step(btDynamicsWorld& world) noexcept {
     if (seen.plugin == nullptr) return false;
     count_bodies(seen);
     return true;
-  } catch (const std::exception&) {  // no memory: the next step tries again
+  } catch (const std::exception&) {  // out of memory: the next step tries again
     return false;
   }
 }
@@ -42,7 +42,7 @@ void RotatedWorlds::see(RotatedWorld& seen, btDynamicsWorld& world) {
   if (seen.plugin != nullptr) {
     if (seen.plugin->attached()) return;
     if (!is_world_gone(*seen.plugin, scheme_)) {
-      // Destroying the plugin would touch an island manager that the program may have destroyed.
+      // Leaked, since its destructor would access an island manager that the program may have destroyed.
       static_cast<void>(seen.plugin.release());
       leave_to_bullet(world, "the program has replaced the world's island manager");
       return;
@@ -57,7 +57,7 @@ void RotatedWorlds::attach(RotatedWorld& seen, btDynamicsWorld& world) {
   seen = RotatedWorld();
   try {
     if (is_rotated_by_the_program(world))
-      throw std::invalid_argument("the program rotates the bodies of this world by polhode itself");
+      throw std::invalid_argument("the program itself rotates the bodies of this world by polhode");
     seen.plugin = make_plugin(world);
     seen.with_multibodies = dynamic_cast<btMultiBodyDynamicsWorld*>(&world);
     ++counters_.rotated_worlds;
@@ -75,7 +75,7 @@ std::unique_ptr<RotationPlugin> RotatedWorlds::make_plugin(btDynamicsWorld& worl
   return plugin;
 }
 
-// One line for each kind of world and reason, since a program may make thousands.
+// Reports each kind of world and reason once, since a program may create thousands of worlds.
 void RotatedWorlds::leave_to_bullet(const btDynamicsWorld& world, const std::string& reason) {
   ++counters_.worlds_left_to_bullet;
   const std::string line = "a " + readable_type_name(world) + " is left to Bullet: " + reason;

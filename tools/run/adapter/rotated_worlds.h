@@ -16,15 +16,15 @@ class btMultiBodyDynamicsWorld;
 
 namespace polhode::run {
 
-/// Attaches a RotationPlugin to each world that is stepped, and counts what happens in them.
+/// Attaches a RotationPlugin to each world that is stepped, and counts steps, bodies and incidents.
 ///
-/// A world's death is noticed when another one is stepped at the same address. The plugins of dead worlds are
-/// few: an allocator hands out the same addresses again.
+/// Notices that a world was destroyed when another one is stepped at the same address. Only few plugins of
+/// destroyed worlds remain, since allocators reuse addresses.
 class RotatedWorlds {
  public:
   RotatedWorlds(const char* scheme, Report report) : scheme_(scheme), report_(report) {}
 
-  /// Attaches a plugin to a world seen first. Returns true if the world's bodies are rotated.
+  /// Attaches a plugin to a world that is new. Returns true if the world's bodies are rotated.
   bool before_step(btDynamicsWorld& world) noexcept;
   Counters& counters() { return counters_; }
 
@@ -32,7 +32,8 @@ class RotatedWorlds {
   struct RotatedWorld {
     std::unique_ptr<RotationPlugin> plugin;  ///< null: the world is left to Bullet
     btMultiBodyDynamicsWorld* with_multibodies = nullptr;
-    /// Two worlds at one address differ in one of these, or are left to Bullet for the same reason.
+    /// Two successive worlds at one address differ in one of these, or are left to Bullet for the same
+    /// reason.
     const char* type_name = nullptr;
     const void* dispatcher = nullptr;
   };
@@ -46,7 +47,7 @@ class RotatedWorlds {
   const std::string scheme_;
   const Report report_;
   Counters counters_;
-  std::mutex mutex_;  ///< of what is below
+  std::mutex mutex_;  ///< guards the members below
   std::unordered_map<const btDynamicsWorld*, RotatedWorld> worlds_;
   std::unordered_set<std::string> reported_;
 };

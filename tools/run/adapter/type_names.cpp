@@ -13,12 +13,12 @@ namespace polhode::run {
 
 namespace {
 
-// Mangled: a namespace polhode, another one for the precision, and the class.
+// Mangled names contain the namespace polhode, a namespace for the precision, and the class.
 bool names_class_of_polhode(const std::type_info& type, const char* name) {
   return std::strstr(type.name(), "7polhode") != nullptr && std::strstr(type.name(), name) != nullptr;
 }
 
-// Looks through the bases too, since a program may derive from RotationWorld.
+// Also searches the bases, since a program may derive from RotationWorld.
 bool derives_from_rotation_world(const std::type_info& type) {
   if (names_class_of_polhode(type, "13RotationWorldI")) return true;
   if (const auto* with_base = dynamic_cast<const abi::__si_class_type_info*>(&type))

@@ -2,8 +2,8 @@
 
 namespace polhode::run {
 
-/// The shared library of Bullet that each adapter is linked to; empty for an adapter that was not built. Defined by
-/// the build, which asks the adapters.
+/// The shared Bullet library to which each adapter is linked; empty for an adapter that was not built.
+/// Defined in a generated source, see expected_bullet.cmake.
 extern const char kExpectedBullet32[];
 extern const char kExpectedBullet64[];
 

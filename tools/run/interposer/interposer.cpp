@@ -1,5 +1,5 @@
-// Stands in for Bullet's stepSimulation in a program that was started with this library in LD_PRELOAD: the
-// dynamic linker fills Bullet's virtual tables with the functions below.
+// Replaces Bullet's stepSimulation in a program that was started with this library in LD_PRELOAD: the dynamic
+// linker fills Bullet's virtual tables with the functions below.
 #include <cstdint>
 #include <cstdlib>
 
@@ -10,7 +10,8 @@ namespace polhode::run {
 
 namespace {
 
-// Bullet returns the substeps that were due; it takes at most `most`, and one of variable length for 0.
+// Bullet returns the number of substeps that were due. It takes at most `most` of them; for 0 it takes one of
+// variable length.
 std::uint64_t substeps_taken(int due, int most) {
   const int taken = most > 0 && due > most ? most : due;
   return taken > 0 ? static_cast<std::uint64_t>(taken) : 0;
@@ -22,7 +23,7 @@ int step(const char* symbol, void* world, Scalar dt, int most_substeps, Scalar f
   const bool is_rotated = rotation.before_step(world);
   const auto bullets = reinterpret_cast<int (*)(void*, Scalar, int, Scalar)>(function_behind(symbol, world));
   if (bullets == nullptr) {
-    report("Bullet's own stepSimulation cannot be found, so the program cannot go on");
+    report("Bullet's own stepSimulation cannot be found, so the program cannot continue");
     std::abort();
   }
   const int due = bullets(world, dt, most_substeps, fixed_dt);
@@ -34,8 +35,8 @@ int step(const char* symbol, void* world, Scalar dt, int most_substeps, Scalar f
 
 }  // namespace polhode::run
 
-// Named as the linker names Bullet's functions, with the world first, as the Itanium C++ ABI passes `this`: Bullet's
-// headers would know one precision alone.
+// Uses the linker's names of Bullet's functions, since Bullet's headers support only one precision. The world
+// comes first, where the Itanium C++ ABI passes `this`.
 #define POLHODE_RUN_STEP(function, Scalar, symbol)                                        \
   extern "C" __attribute__((visibility("default"))) int function(void*, Scalar, int,      \
                                                                  Scalar) __asm__(symbol); \
@@ -45,7 +46,7 @@ int step(const char* symbol, void* world, Scalar dt, int most_substeps, Scalar f
 
 POLHODE_RUN_STEP(step_discrete32, float, "_ZN23btDiscreteDynamicsWorld14stepSimulationEfif")
 POLHODE_RUN_STEP(step_discrete64, double, "_ZN23btDiscreteDynamicsWorld14stepSimulationEdid")
-// These two do not call the function above, and cannot be rotated: the user is told so.
+// These two worlds do not call the function above and cannot be rotated, which is reported to the user.
 POLHODE_RUN_STEP(step_deformable32, float, "_ZN34btDeformableMultiBodyDynamicsWorld14stepSimulationEfif")
 POLHODE_RUN_STEP(step_deformable64, double, "_ZN34btDeformableMultiBodyDynamicsWorld14stepSimulationEdid")
 POLHODE_RUN_STEP(step_simple32, float, "_ZN21btSimpleDynamicsWorld14stepSimulationEfif")

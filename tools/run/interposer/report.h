@@ -2,14 +2,14 @@
 
 namespace polhode::run {
 
-/// Prints "polhode-run: " and the line on standard error, in one piece and control characters replaced.
-/// Uses no more than the C library: every program that the program starts loads the interposer too.
+/// Prints "polhode-run: " and the line to standard error in one piece, with control characters replaced.
+/// Uses only the C library, since every process that the program starts loads the interposer.
 void report(const char* line);
 
-/// Replaces what a terminal would not print as it stands by question marks.
+/// Replaces control characters by question marks.
 void replace_control_characters(char* text);
 
-/// Writes a text to a descriptor; returns false if that fails.
+/// Writes a text to a file descriptor. Returns false on failure.
 bool write_all(int descriptor, const char* text);
 
 }  // namespace polhode::run

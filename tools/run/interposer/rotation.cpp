@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kLongestPath = 4096;
 
-// Writes the path of a file beside this library; returns false if there is no room.
+// Writes the path of a file in the folder of this library. Returns false if the path is too long.
 bool path_beside_this_library(const char* file, char (&path)[kLongestPath]) {
   Dl_info library;
   if (dladdr(reinterpret_cast<void*>(&path_beside_this_library), &library) == 0) return false;

@@ -1,4 +1,4 @@
-// Writes the summary when the process ends by exit() or by returning from main.
+// Writes the summary when the process calls exit() or returns from main.
 #include <fcntl.h>
 #include <pthread.h>
 #include <sys/resource.h>
@@ -60,7 +60,7 @@ void add_precision(Text& text, const Rotation& rotation) {
   }
 }
 
-// A number that grows with each step.
+// Returns a number that grows with each step.
 std::uint64_t activity_of(const Rotation& rotation) {
   const Counts counts = rotation.counts();
   return counts.rotated_worlds + counts.worlds_left_to_bullet + counts.steps + rotation.calls_left_alone();
@@ -82,10 +82,9 @@ void add_reasons_for_no_world(Text& text) {
     return;
   }
   text.add(
-      "  possible reasons: the program makes no Bullet world; Bullet is linked statically into it or one of "
-      "its\n"
-      "  libraries, or linked with -Bsymbolic; it is a Bullet without "
-      "btDiscreteDynamicsWorld::stepSimulation\n");
+      R"(  possible reasons: the program creates no Bullet world; Bullet is linked statically into it or into
+  one of its libraries, or linked with -Bsymbolic; this Bullet has no btDiscreteDynamicsWorld::stepSimulation
+)");
 }
 
 void write_summary(const char* text) {
@@ -104,7 +103,7 @@ void write_summary(const char* text) {
   report(line.c_str());
 }
 
-// Keeps a forked process that steps nothing from repeating the summary of the other one.
+// Prevents a forked process that steps nothing from repeating the summary of its parent.
 std::uint64_t activity_before_fork = 0;
 void note_fork() {
   activity_before_fork = activity();

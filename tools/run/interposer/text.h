@@ -8,7 +8,7 @@
 
 namespace polhode::run {
 
-/// A text that grows, without the C++ library. What has no room is left out.
+/// A text of limited length, without the C++ library. Truncates text that does not fit.
 class Text {
  public:
   __attribute__((format(printf, 2, 3))) void add(const char* format, ...) {

@@ -15,7 +15,7 @@ const Precision kDoublePrecision = {"double", "_ZN23btDiscreteDynamicsWorld14ste
 
 namespace {
 
-// Looks where the linker would have looked for the library that the world's class is in.
+// Searches where the linker would have searched for the library of the world's class.
 void* function_beside_class_of(const char* symbol, const void* world) {
   const void* const virtual_table = *static_cast<const void* const*>(world);
   Dl_info library;
@@ -31,7 +31,7 @@ void* function_beside_class_of(const char* symbol, const void* world) {
 
 void* function_behind(const char* symbol, const void* world) {
   void* const next = dlsym(RTLD_NEXT, symbol);
-  // A Bullet that the program has loaded by dlopen, with RTLD_LOCAL, is not among the next ones.
+  // RTLD_NEXT does not include a Bullet that the program has loaded with dlopen and RTLD_LOCAL.
   return next != nullptr ? next : function_beside_class_of(symbol, world);
 }
 

@@ -20,16 +20,18 @@ namespace fs = std::filesystem;
 constexpr int kCannotBeExecuted = 126;
 constexpr int kNotFound = 127;
 
-// Relative to this executable, wherever the tree was moved to.
+// Relative to this executable, so that the tree can be moved.
 std::string interposer() {
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path() / kLibrariesFromExecutable;
   const std::string file = (folder / "libpolhode_run.so").lexically_normal().string();
   if (::access(file.c_str(), R_OK) != 0)
     throw std::runtime_error(file + ": cannot be read: " + std::strerror(errno));
-  // The loader has no way to quote them.
+  // LD_PRELOAD is split at spaces and colons and has no quoting.
   if (file.find_first_of(" :") != std::string::npos)
-    throw std::runtime_error(file + ": the path must have no space and no colon, for LD_PRELOAD");
+    throw std::runtime_error(
+        file +
+        ": LD_PRELOAD does not allow spaces or colons in this path: move polhode-run to another folder");
   return file;
 }
 
@@ -47,7 +49,7 @@ void set_environment(const Options& options) {
   set(kProcessVariable, std::to_string(::getpid()));
 }
 
-// Says now what would be found out only when the program has run. Each process appends to the file.
+// Also detects now that the file cannot be written. Each process appends to the file.
 void clear_summary_file(const std::string& summary) {
   if (summary.empty() || summary == kToStandardError) return;
   const int file = ::open(summary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);

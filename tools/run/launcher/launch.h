@@ -7,7 +7,7 @@
 
 namespace polhode::run {
 
-/// A program that cannot be started, and the exit code that says so, as env has it.
+/// A program that cannot be started, with the exit code that env uses for the reason.
 class StartFailure : public std::runtime_error {
  public:
   StartFailure(int exit_code, const std::string& message)
@@ -18,7 +18,7 @@ class StartFailure : public std::runtime_error {
   int exit_code_;
 };
 
-/// Becomes the program.
+/// Replaces this process by the program.
 /// @throws StartFailure, or std::runtime_error for a program that cannot be rotated.
 [[noreturn]] void launch(const Options& options);
 

@@ -1,4 +1,4 @@
-// Runs a program with the worlds of its Bullet rotated by the library.
+// Runs a program whose Bullet worlds are rotated by the library.
 #include "command_line/program.h"
 #include "run/launcher/launch.h"
 

@@ -5,7 +5,7 @@
 
 namespace polhode::run {
 
-/// The bytes of a regular file, mapped while this lives; none if it cannot be read.
+/// Maps a regular file into memory for the lifetime of this object. Empty if the file cannot be read.
 class MappedFile {
  public:
   explicit MappedFile(const std::filesystem::path& file);

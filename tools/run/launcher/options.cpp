@@ -13,27 +13,22 @@ namespace polhode::run {
 namespace {
 
 constexpr char kDescription[] =
-    "Runs a program that links Bullet dynamically, with its bodies rotated by Polhode. The program is not "
-    "compiled\n"
-    "anew: each world that it steps gets a polhode::RotationPlugin. Exit code and signals are the program's.";
+    R"(Runs a program that links Bullet dynamically, and rotates its bodies by Polhode. The program is not
+recompiled: each world that it steps gets a polhode::RotationPlugin. Exit code and signals are those of the
+program.)";
 
 constexpr char kFooter[] =
-    "Options stand before PROGRAM; what follows it is the program's. Processes that the program starts are "
-    "rotated\n"
-    "too, and each that steps a world writes a summary. A process writes it as it exits: none is written if "
-    "a signal\n"
-    "ends it, or _exit().\n"
-    "\n"
-    "Exit codes of its own: 2 for a bad option or a program that cannot be rotated, 126 for a program that "
-    "cannot\n"
-    "be executed, 127 for one that is not found.\n"
-    "\n"
-    "Left to Bullet, with a line on standard error: worlds that a plugin cannot be attached to (deformable "
-    "and simple\n"
-    "ones, those with an island manager of their own), worlds that the program itself rotates by Polhode, "
-    "and those\n"
-    "of another Bullet than the one this polhode-run was built for. Not seen: Bullet that is linked "
-    "statically.";
+    R"(Put options before PROGRAM; the words after it are the program's arguments. Processes that the program
+starts are rotated too, and each one that steps a world writes a summary when it exits. A process that is
+ended by a signal or by _exit() writes none.
+
+polhode-run's own exit codes: 2 for an invalid option or a program that cannot be rotated, 126 for a program
+that cannot be executed, 127 for one that is not found.
+
+These worlds are left to Bullet, with a line on standard error: worlds to which a plugin cannot be attached
+(deformable and simple worlds, worlds with a custom island manager), worlds that the program itself rotates by
+Polhode, and worlds of another Bullet than the one for which this polhode-run was built. A statically linked
+Bullet is not detected.)";
 
 class WithProgram : public CLI::Formatter {
  public:
@@ -42,12 +37,12 @@ class WithProgram : public CLI::Formatter {
   }
 };
 
-// CLI11 takes the first word that is no option of ours for the program, also a mistyped option.
+// CLI11 treats the first word that is not an option of ours as the program, even if it is a mistyped option.
 std::vector<std::string> program_of(const CLI::App& app) {
   std::vector<std::string> words = app.remaining();
   const bool is_marked = !words.empty() && words.front() == "--";
   if (is_marked) words.erase(words.begin());
-  if (words.empty()) throw std::invalid_argument("PROGRAM: missing; polhode-run --help shows how to call it");
+  if (words.empty()) throw std::invalid_argument("PROGRAM: missing; see polhode-run --help");
   if (!is_marked && words.front()[0] == '-') {
     throw std::invalid_argument(
         words.front() +
@@ -56,9 +51,9 @@ std::vector<std::string> program_of(const CLI::App& app) {
   return words;
 }
 
-// The program may change its folder before it ends.
+// Absolute, since the program may change its working directory.
 std::string absolute_summary(const std::string& summary) {
-  if (summary.empty()) throw std::invalid_argument("--summary: must be a file or -, is \"\"");
+  if (summary.empty()) throw std::invalid_argument("--summary: is \"\": valid are a file and -");
   return summary == kToStandardError ? summary : std::filesystem::absolute(summary).string();
 }
 
@@ -75,9 +70,9 @@ std::optional<Options> parse_options(int argument_count, char** arguments) {
   app.prefix_command();
   app.set_version_flag("--version", std::string("polhode ") + demos::kVersion);
   app.add_option("--scheme", options.scheme,
-                 "What rotates the bodies, see below (default: " + options.scheme + ")")
+                 "Scheme that rotates the bodies, see below (default: " + options.scheme + ")")
       ->type_name("NAME");
-  app.add_option("--summary", options.summary, "Write the summary there (default: -, standard error)")
+  app.add_option("--summary", options.summary, "Write the summary to this file (default: -, standard error)")
       ->type_name("FILE|-");
   app.add_flag("--quiet", is_quiet, "Write no summary");
   if (!demos::parse(app, argument_count, arguments)) return std::nullopt;

@@ -9,13 +9,12 @@ namespace polhode::run {
 
 struct Options {
   std::string scheme;
-  /// Where the summary goes, as settings.h has it.
-  std::string summary;
-  std::vector<std::string> program;  ///< its name and its arguments
+  std::string summary;               ///< value of kSummaryVariable, see settings.h
+  std::vector<std::string> program;  ///< name and arguments
 };
 
-/// Returns nothing if --help or --version was asked for, and printed.
-/// @throws std::invalid_argument that says what is wrong and what is valid.
+/// Returns nothing after printing --help or --version.
+/// @throws std::invalid_argument for invalid options; the message says what is wrong and what is valid.
 std::optional<Options> parse_options(int argument_count, char** arguments);
 
 }  // namespace polhode::run

@@ -24,7 +24,7 @@ bool is_executable_file(const fs::path& file) {
   return fs::is_regular_file(file, error) && ::access(file.c_str(), X_OK) == 0;
 }
 
-// The loader ignores LD_PRELOAD then.
+// For such a program the loader ignores LD_PRELOAD.
 bool gets_other_rights(const fs::path& program) {
   struct stat status {};
   if (::stat(program.c_str(), &status) != 0) return false;
@@ -35,8 +35,8 @@ bool gets_other_rights(const fs::path& program) {
   return is_other_user || is_other_group || has_capabilities;
 }
 
-// The name of a class that a file defines, as the compiler writes it for its type information: not a part of a
-// longer symbol.
+// Searches for the class name in the type information of the file. A match inside a longer symbol does not
+// count.
 bool defines_world_class(std::string_view bytes) {
   constexpr std::string_view kTypeName("23btDiscreteDynamicsWorld\0", 26);
   for (std::size_t at = bytes.find(kTypeName); at != std::string_view::npos;
@@ -58,7 +58,7 @@ bool has_interpreter(std::string_view bytes, const Elf64_Ehdr& header) {
   return false;
 }
 
-// Returns the header of this very program.
+// Returns the ELF header of this program.
 Elf64_Ehdr own_header() {
   Elf64_Ehdr header{};
   const MappedFile self("/proc/self/exe");
@@ -74,9 +74,8 @@ std::string reason_against_elf(std::string_view bytes) {
     return "is for another kind of machine than polhode-run";
   if (!has_interpreter(bytes, header)) return "is linked statically, so nothing can be loaded into it";
   if (defines_world_class(bytes) && bytes.find("libBulletDynamics") == std::string_view::npos) {
-    return "has Bullet linked into it statically, so its steps cannot be seen from outside: link it to "
-           "Bullet's shared "
-           "libraries, or to polhode itself";
+    return "has Bullet linked into it statically, so its steps cannot be intercepted: link it to Bullet's "
+           "shared libraries, or to polhode itself";
   }
   return "";
 }

@@ -6,11 +6,11 @@
 
 namespace polhode::run {
 
-/// Returns the file that a shell would run, or nothing.
+/// Returns the file that a shell would run for this name, or nothing.
 std::optional<std::filesystem::path> find_program(const std::string& name);
 
-/// Returns why the interposer would not see the worlds of this program, or an empty text: it was linked statically,
-/// has Bullet in itself, is for another machine, or gets other rights.
+/// Returns the reason why the interposer cannot intercept the program, or an empty text. Reasons: the program
+/// is linked statically, contains Bullet, is for another machine, or runs with other rights.
 std::string reason_against(const std::filesystem::path& program);
 
 }  // namespace polhode::run
