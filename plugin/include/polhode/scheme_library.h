@@ -5,7 +5,7 @@
 #include "polhode/scheme_registry.h"
 #include "polhode/version.h"
 
-/// Makes a shared library of rotation schemes, which the demos load and show beside the built-in ones:
+/// Defines a shared library of rotation schemes, which the demos load and show beside the built-in ones:
 ///
 ///   #include <polhode/scheme_library.h>
 ///   class MyScheme final : public polhode::RotationScheme { ... };
@@ -14,8 +14,8 @@
 ///   g++ -std=c++17 -O2 -shared -fPIC my_scheme.cpp -o my_scheme.so $(pkg-config --cflags --libs polhode)
 ///   polhode_compare --scheme-library my_scheme.so
 ///
-/// Stands once in a library, outside any namespace. A program takes libraries that were compiled with headers of its own
-/// major and minor version.
+/// Use the macro once in a library, outside any namespace. A program loads only libraries compiled with
+/// headers of its own major and minor version.
 
 #if defined(_WIN32)
 #define POLHODE_SCHEME_LIBRARY_EXPORT __declspec(dllexport)
@@ -23,7 +23,7 @@
 #define POLHODE_SCHEME_LIBRARY_EXPORT __attribute__((visibility("default")))
 #endif
 
-/// Each argument is a polhode::SchemePointer, or converts to one.
+/// @param ... the schemes; each argument is a polhode::SchemePointer, or converts to one
 #define POLHODE_SCHEME_LIBRARY(...)                                               \
   extern "C" POLHODE_SCHEME_LIBRARY_EXPORT int polhode_scheme_library_version() { \
     return POLHODE_VERSION;                                                       \
