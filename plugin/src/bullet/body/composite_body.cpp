@@ -32,7 +32,7 @@ bool replace(const Value& value, Value& kept) {
 
 }  // namespace
 
-// With global velocities, Bullet keeps the links' velocities of the last step.
+// Excludes links with global velocities: Bullet then moves them with the velocities of the last step.
 bool turns_as_one_body(const btMultiBody& multibody) {
   if (multibody.hasFixedBase() || !is_finalized(multibody)) return false;
   if (multibody.getNumLinks() > 0 && multibody.isUsingGlobalVelocities()) return false;

@@ -47,7 +47,7 @@ inline btVector3& interpolation_angular_velocity(btRigidBody& body) {
 btSimulationIslandManager*& island_manager(btDiscreteDynamicsWorld& world);
 btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world);
 
-/// Returns the manifolds of predictive contacts, which are created anew in each step.
+/// Returns the manifolds of predictive contacts, which each step creates again.
 btAlignedObjectArray<btPersistentManifold*>& predictive_manifolds(btDiscreteDynamicsWorld& world);
 /// Returns the joints in the order of getConstraint.
 btAlignedObjectArray<btTypedConstraint*>& joints(btDiscreteDynamicsWorld& world);
