@@ -1,6 +1,7 @@
 # Installs the build into a folder, moves what it installed to another one, and refuses files that remember where they
 # were built or first installed. Variables: build, source, configuration, folder.
-file(REMOVE_RECURSE ${folder})
+include(${CMAKE_CURRENT_LIST_DIR}/relocatable.cmake)
+file(REMOVE_RECURSE ${folder}/installed ${folder}/moved ${folder}/moved_single)
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${build} --config "${configuration}" --prefix ${folder}/installed
   OUTPUT_QUIET RESULT_VARIABLE result)
 if(NOT result EQUAL 0)
@@ -8,16 +9,7 @@ if(NOT result EQUAL 0)
 endif()
 file(RENAME ${folder}/installed ${folder}/moved)
 
-file(GLOB_RECURSE texts ${folder}/moved/*.cmake ${folder}/moved/*.pc ${folder}/moved/*.h)
-foreach(text IN LISTS texts)
-  file(READ ${text} content)
-  foreach(origin IN ITEMS ${build} ${source} ${folder}/installed)
-    string(FIND "${content}" "${origin}" position)
-    if(NOT position EQUAL -1)
-      message(FATAL_ERROR "${text} names ${origin}: it cannot be moved")
-    endif()
-  endforeach()
-endforeach()
+refuse_origins(${folder}/moved ${build} ${source} ${folder}/installed)
 
 # The same tree as a machine has it that built single precision only.
 file(COPY ${folder}/moved/ DESTINATION ${folder}/moved_single)
