@@ -86,20 +86,19 @@ Vector3 CheckedObject::vector(const std::string& key, const Range& range,
 }
 
 Vector3 CheckedObject::direction(const std::string& key, const Vector3& fallback) {
-  const Vector3 vector = this->vector(key, {-1e6, 1e6}, fallback);
+  const Vector3 vector = this->vector(key, kAnyLength, fallback);
   // Far below this a division by the length would overflow.
   if (vector.norm() < 1e-12) fail(key, "must have a direction, is " + excerpt(value_->at(key)));
   return with_unit_length(vector);
 }
 
-Quaternion CheckedObject::orientation(const std::string& key) {
-  if (!has(key)) return Quaternion::Identity();
-  const Range range{-1e6, 1e6};
-  const std::string valid = "a list of 4 numbers w, x, y, z, each " + range_text(range);
+Quaternion CheckedObject::orientation(const std::string& key, const Quaternion& fallback) {
+  if (!has(key)) return fallback;
+  const std::string valid = "a list of 4 numbers w, x, y, z, each " + range_text(kAnyLength);
   const nlohmann::json& list = required(key, valid);
   check_list(list, key, 4, valid);
   double wxyz[4];
-  for (std::size_t i = 0; i < 4; ++i) wxyz[i] = checked_number(list[i], element(key, i), range);
+  for (std::size_t i = 0; i < 4; ++i) wxyz[i] = checked_number(list[i], element(key, i), kAnyLength);
   const Quaternion q_WB(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
   if (q_WB.norm() < 1e-12) fail(key, "must not be the zero quaternion; [1, 0, 0, 0] is no rotation");
   return with_unit_length(q_WB);

@@ -34,8 +34,8 @@ class CheckedObject {
                  const std::optional<Vector3>& fallback = std::nullopt);
   /// Reads a vector as `vector` does, made a unit vector.
   Vector3 direction(const std::string& key, const Vector3& fallback);
-  /// w, x, y, z, made a unit quaternion; the identity if absent.
-  Quaternion orientation(const std::string& key);
+  /// w, x, y, z, made a unit quaternion.
+  Quaternion orientation(const std::string& key, const Quaternion& fallback);
   CheckedObject object(const std::string& key);
   /// A list of objects, empty if absent.
   std::vector<CheckedObject> objects(const std::string& key);

@@ -11,30 +11,35 @@ namespace polhode::demos {
 
 /// A planet, whose gravity pulls and turns the body.
 struct GravityGradient {
-  double mu;  ///< gravitational parameter, m^3/s^2
-  Vector3 centre_W;
+  static constexpr char kKind[] = "gravity_gradient";
+  double mu = 0.0;  ///< gravitational parameter, m^3/s^2
+  Vector3 centre_W = Vector3::Zero();
 
   Vector3 acceleration_W(const Vector3& position_W) const;
 };
 
 struct MagneticDipole {
-  Vector3 dipole_B;
-  Vector3 field_W;
+  static constexpr char kKind[] = "magnetic_dipole";
+  Vector3 dipole_B = Vector3::Zero();
+  Vector3 field_W = Vector3::Zero();
 };
 
 struct OrientationSpring {
-  Quaternion target_WB;
-  double stiffness;
+  static constexpr char kKind[] = "spring";
+  Quaternion target_WB = Quaternion::Identity();
+  double stiffness = 0.0;
 };
 
 struct RateDamping {
-  Vector3 coefficients_B;
+  static constexpr char kKind[] = "rate_damping";
+  Vector3 coefficients_B = Vector3::Zero();
 };
 
 /// A damper about each axis of the body: a rotor that the body drags along.
 struct InternalDamping {
-  double moment;
-  double coefficient;
+  static constexpr char kKind[] = "internal_damping";
+  double moment = 0.0;
+  double coefficient = 0.0;
 };
 
 using ChosenLaw =
@@ -42,9 +47,9 @@ using ChosenLaw =
 
 /// A torque of motors inside the body on its rotors, for some time.
 struct MotorTorque {
-  Vector3 torque_B;
-  double from_s;
-  double until_s;
+  Vector3 torque_B = Vector3::Zero();
+  double from_s = 0.0;
+  double until_s = 1e11;
 };
 
 struct Drive {

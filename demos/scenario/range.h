@@ -18,6 +18,11 @@ inline constexpr Range kAnySign{-1e9, 1e9};
 /// A coordinate of a place, m.
 inline constexpr Range kPlace{-1e6, 1e6};
 
+/// A component of what is made a unit vector or quaternion.
+inline constexpr Range kAnyLength{-1e6, 1e6};
+/// A principal moment of inertia, kg m^2.
+inline constexpr Range kInertiaRange{1e-12, 1e9};
+
 /// "a finite number between 1e-06 and 1000"
 std::string range_text(const Range& range);
 

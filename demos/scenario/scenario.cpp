@@ -9,7 +9,7 @@
 namespace polhode::demos {
 
 bool Scenario::is_torque_free() const {
-  return torque_W.isZero(0.0) && body.angular_damping == 0.0 && body.drive.is_torque_free() && !constraint &&
+  return torque_W.isZero(0.0) && body.damping.angular == 0.0 && body.drive.is_torque_free() && !constraint &&
          !ground && others.empty();
 }
 

@@ -11,27 +11,30 @@
 #include "scenario/drive.h"
 #include "scenario/range.h"
 
-/// The content of a scenario file, in SI units; demos/README.md documents the file's keys. Frames: W the
+/// The content of a scenario file, in SI units, with the defaults of its keys, which are in scenario_keys.h. Frames: W the
 /// world, B the body (origin in its centre of mass, axes along its principal axes).
 namespace polhode::demos {
 
 struct Sphere {
-  double radius;
+  static constexpr char kKind[] = "sphere";
+  double radius = 0.5;
 };
 
 struct Box {
-  Vector3 half_extents;
+  static constexpr char kKind[] = "box";
+  Vector3 half_extents = Vector3::Zero();
 };
 
 /// A box that is part of a compound. The compound's own frame is re-based to its centre of mass and principal
 /// axes.
 struct BoxPart {
-  Vector3 half_extents;
-  Vector3 at;
-  double mass;
+  Vector3 half_extents = Vector3::Zero();
+  Vector3 at = Vector3::Zero();
+  double mass = 1.0;
 };
 
 struct Compound {
+  static constexpr char kKind[] = "compound";
   std::vector<BoxPart> parts;
 };
 
@@ -39,8 +42,14 @@ using Shape = std::variant<Sphere, Box, Compound>;
 
 /// An impulse (N s) at a point given by its offset from the centre of mass, in world axes.
 struct Impulse {
-  Vector3 impulse_W;
-  Vector3 at_W;
+  Vector3 impulse_W = Vector3::Zero();
+  Vector3 at_W = Vector3::Zero();
+};
+
+/// The part of the velocity that is lost in a second.
+struct Damping {
+  double linear = 0.0;
+  double angular = 0.0;
 };
 
 struct Body {
@@ -54,22 +63,22 @@ struct Body {
   std::vector<Impulse> impulses;
   double friction = 0.5;
   double restitution = 0.0;
-  double linear_damping = 0.0;
-  double angular_damping = 0.0;
+  Damping damping;
   Drive drive;
 };
 
 /// The half space normal_W . x <= height.
 struct Ground {
-  double height;
-  Vector3 normal_W;
-  double friction;
-  double restitution;
+  double height = 0.0;
+  Vector3 normal_W = Vector3::UnitZ();
+  double friction = 0.5;
+  double restitution = 0.0;
 };
 
 /// Ties a point of the body to where it is in the world at the start.
 struct PointToPoint {
-  Vector3 pivot_B;
+  static constexpr char kKind[] = "point_to_point";
+  Vector3 pivot_B = Vector3::Zero();
 };
 
 struct Scenario {
@@ -95,9 +104,6 @@ struct Scenario {
 /// Limits the spheres, boxes and parts of compounds in a world: where all of them overlap, Bullet keeps contacts
 /// for every pair.
 inline constexpr std::size_t kMostShapes = 200;
-
-/// Principal moments, kg m^2.
-inline constexpr Range kInertiaRange{1e-12, 1e9};
 
 /// Bullet takes a step under its single-precision epsilon, 1.2e-7 s, for none at all.
 inline constexpr Range kDtRange{1e-6, 1e3};

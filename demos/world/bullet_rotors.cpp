@@ -79,7 +79,7 @@ BulletRotors::MountedWheel BulletRotors::mounted(ContenderWorld& world, const Wh
   const Vector3 wheel_axis_W = axis_W(body_, wheel.axis);
   const double spin = description.drive.rotor_momentum_B[wheel.axis] / wheel.axial_moment;
   body->setAngularVelocity(to_bullet(omega_W + (spin - omega_W.dot(wheel_axis_W)) * wheel_axis_W));
-  body->setDamping(static_cast<btScalar>(description.linear_damping), 0);
+  body->setDamping(static_cast<btScalar>(description.damping.linear), 0);
   body->setActivationState(DISABLE_DEACTIVATION);
   world.set_gyroscopic_flag(*body);
   world_.addRigidBody(body.get(), /*group=*/0, /*mask=*/0);

@@ -37,8 +37,8 @@ class RigidScenarioBody final : public ScenarioBody {
     body_.setAngularVelocity(to_bullet(start.omega_W));
     body_.setLinearVelocity(to_bullet(start.velocity_W));
     set_materials(body_, description);
-    body_.setDamping(static_cast<btScalar>(description.linear_damping),
-                     static_cast<btScalar>(description.angular_damping));
+    body_.setDamping(static_cast<btScalar>(description.damping.linear),
+                     static_cast<btScalar>(description.damping.angular));
     body_.setActivationState(DISABLE_DEACTIVATION);
     world.set_gyroscopic_flag(body_);
     world_.addRigidBody(&body_);
@@ -108,8 +108,8 @@ class MultibodyScenarioBody final : public ScenarioBody {
     multibody_.setWorldToBaseRot(to_bullet(description.q_WB).inverse());
     multibody_.setBaseOmega(to_bullet(start.omega_W));
     multibody_.setBaseVel(to_bullet(start.velocity_W));
-    multibody_.setLinearDamping(static_cast<btScalar>(description.linear_damping));
-    multibody_.setAngularDamping(static_cast<btScalar>(description.angular_damping));
+    multibody_.setLinearDamping(static_cast<btScalar>(description.damping.linear));
+    multibody_.setAngularDamping(static_cast<btScalar>(description.damping.angular));
     collider_.setCollisionShape(shape_.shape.get());
     collider_.setWorldTransform(multibody_.getBaseWorldTransform());
     set_materials(collider_, description);

@@ -75,8 +75,8 @@ TEST(ScenarioReader, ReadsEveryKey) {
   EXPECT_EQ(scenario.body.impulses[0].at_W, Vector3(0, 1, 0));
   EXPECT_EQ(scenario.body.friction, 0.25);
   EXPECT_EQ(scenario.body.restitution, 0.75);
-  EXPECT_EQ(scenario.body.linear_damping, 0.125);
-  EXPECT_EQ(scenario.body.angular_damping, 0.375);
+  EXPECT_EQ(scenario.body.damping.linear, 0.125);
+  EXPECT_EQ(scenario.body.damping.angular, 0.375);
   EXPECT_EQ(scenario.gravity_W, Vector3(0, 0, -10));
   EXPECT_EQ(scenario.torque_W, Vector3(1, 1, 2));
   EXPECT_EQ(scenario.constraint->pivot_B, Vector3(0, 0, 1));

@@ -1,4 +1,4 @@
-#include "scenario/drive_reader.h"
+#include "scenario/drive_keys.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ Law law_in(const std::string& text) {
   return std::get<Law>(parse_scenario(body_with_law(text), "a.json").body.drive.law.value());
 }
 
-TEST(DriveReader, ReadsRotorsAndTheirMotors) {
+TEST(DriveKeys, ReadsRotorsAndTheirMotors) {
   const Drive drive = parse_scenario(body_with(R"(, "rotor_momentum": [1, 2, 3], "rotor_torque": [
       {"torque_B": [4, 5, 6]}, {"torque_B": [7, 8, 9], "from": 1, "until": 2}])"),
                                      "a.json")
@@ -50,7 +50,7 @@ TEST(DriveReader, ReadsRotorsAndTheirMotors) {
   EXPECT_FALSE(drive.law);
 }
 
-TEST(DriveReader, ReadsEveryKindOfLaw) {
+TEST(DriveKeys, ReadsEveryKindOfLaw) {
   const auto planet =
       law_in<GravityGradient>(R"({"kind": "gravity_gradient", "mu": 5, "centre": [1, 2, 3]})");
   EXPECT_EQ(planet.mu, 5.0);
@@ -72,7 +72,7 @@ TEST(DriveReader, ReadsEveryKindOfLaw) {
   EXPECT_EQ(damper.coefficient, 3.0);
 }
 
-TEST(DriveReader, FindsWhatTheWriterWrote) {
+TEST(DriveKeys, FindsWhatTheWriterWrote) {
   for (const char* law : {R"({"kind": "gravity_gradient", "mu": 5.5, "centre": [1, 2, 3]})",
                           R"({"kind": "magnetic_dipole", "dipole_B": [1, 2, 3], "field": [4, 5, 6]})",
                           R"({"kind": "spring", "orientation": [0.8, 0, 0.6, 0], "stiffness": 7})",
@@ -93,7 +93,7 @@ TEST(DriveReader, FindsWhatTheWriterWrote) {
   }
 }
 
-TEST(DriveReader, LeavesABodyThatNothingDrivesAsItWas) {
+TEST(DriveKeys, LeavesABodyThatNothingDrivesAsItWas) {
   const Scenario scenario = parse_scenario(body_with(""), "a.json");
   EXPECT_FALSE(scenario.has_rotors());
   EXPECT_TRUE(scenario.is_torque_free());
