@@ -1,9 +1,9 @@
-# Writes a C++ source that holds a file's bytes.
-#   cmake -Dinput=FILE -Doutput=FILE.cpp -P embed.cmake
+# Writes a C++ source that holds a file's bytes, which a function returns.
+#   cmake -Dinput=FILE -Doutput=FILE.cpp -Dheader=HEADER -Dfunction=NAME -P embed.cmake
 file(READ ${input} bytes HEX)
 string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")
 string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${bytes}")
-file(WRITE ${output} "#include \"report/page_template.h\"
+file(WRITE ${output} "#include \"${header}\"
 
 namespace polhode::demos {
 
@@ -14,7 +14,7 @@ ${bytes}};
 
 }  // namespace
 
-std::string_view page_template() {
+std::string_view ${function}() {
   return {reinterpret_cast<const char*>(kBytes), sizeof kBytes};
 }
 

@@ -25,7 +25,7 @@ void attempt(Session& session, const Work& work) {
 }
 
 void draw_playback(Session& session) {
-  if (ImGui::Button(session.is_running() ? "Pause" : "Run", {62.0f, 0.0f})) {
+  if (ImGui::Button(session.is_running() ? "Pause" : "Run", {scaled(62.0f), 0.0f})) {
     session.apply(Action::run_or_pause);
   }
   ImGui::SameLine();
@@ -78,10 +78,12 @@ void draw_contenders(Session& session) {
     bool is_chosen = index < session.contenders().size();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (is_chosen) {
-      ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y + 3.0f}, {at.x + 12.0f, at.y + 15.0f},
+      const float size = scaled(13.0f);
+      const float top = at.y + 0.5f * (ImGui::GetFrameHeight() - size);
+      ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + size, top + size},
                                                 im_color(contender_color(index)));
     }
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 20.0f);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + scaled(20.0f));
     if (ImGui::Checkbox(contender.name.c_str(), &is_chosen)) toggle(session, contender);
   }
 }
@@ -113,7 +115,7 @@ void draw_changes(Session& session, ViewState& view) {
 /// A field for a file's name with a button beside it; true if that is pressed.
 bool file_button(std::array<char, 256>& file, const char* button) {
   ImGui::PushID(button);
-  ImGui::SetNextItemWidth(180.0f);
+  ImGui::SetNextItemWidth(scaled(190.0f));
   ImGui::InputText("##file", file.data(), file.size());
   ImGui::SameLine();
   const bool is_pressed = ImGui::Button(button);

@@ -12,7 +12,7 @@ namespace polhode::demos {
 
 namespace {
 
-constexpr float kPanelWidth = 310.0f;
+constexpr float kPanelWidth = 330.0f;
 constexpr float kPlotsPart = 0.34f;
 
 }  // namespace
@@ -50,7 +50,7 @@ void Frame::follow_session() {
 }
 
 void Frame::lay_out(float width, float height) {
-  const float left = view_.has_panels ? kPanelWidth : 0.0f;
+  const float left = view_.has_panels ? scaled(kPanelWidth) : 0.0f;
   const float plots = view_.has_panels ? kPlotsPart * height : 0.0f;
   status_ = {left, 0.0f, width - left, status_height(session_, width - left)};
   views_ = {left, status_.height, width - left, height - status_.height - plots};
@@ -58,7 +58,7 @@ void Frame::lay_out(float width, float height) {
 
 void Frame::draw_panels(float width, float height) {
   if (view_.has_panels) {
-    draw_control_panel(session_, view_, {0.0f, 0.0f, kPanelWidth, height});
+    draw_control_panel(session_, view_, {0.0f, 0.0f, scaled(kPanelWidth), height});
     const float bottom = views_.top + views_.height;
     draw_plots(session_, {views_.left, bottom, views_.width, height - bottom});
   }

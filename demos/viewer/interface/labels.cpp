@@ -13,16 +13,43 @@ namespace polhode::demos {
 
 namespace {
 
-constexpr float kMargin = 8.0f;
-constexpr float kChip = 13.0f;
-constexpr float kLine = 16.0f;
-constexpr float kStatusLine = 24.0f;
+float margin() {
+  return scaled(8.0f);
+}
+
+float chip_size() {
+  return scaled(14.0f);
+}
+
+float line_height() {
+  return scaled(19.0f);
+}
+
+float status_line() {
+  return scaled(28.0f);
+}
+
 constexpr char kHelpHint[] = "H: keys";
 /// The name of a shorter arrow would hide it.
 constexpr double kShortestNamed = 0.08;
 
 void write(float left, float top, Color color, const std::string& text) {
   ImGui::GetBackgroundDrawList()->AddText({left, top}, im_color(color), text.c_str());
+}
+
+float text_width(const std::string& text) {
+  return ImGui::CalcTextSize(text.c_str()).x;
+}
+
+/// The text, or as much of its beginning as there is room for.
+std::string shortened_to(float width, std::string text) {
+  if (text_width(text) <= width) return text;
+  const auto is_inside_a_letter = [](char byte) { return (byte & 0xC0) == 0x80; };  // of UTF-8
+  while (!text.empty() && text_width(text + "...") > width) {
+    while (text.size() > 1 && is_inside_a_letter(text.back())) text.pop_back();
+    text.pop_back();
+  }
+  return text + "...";
 }
 
 /// On a light ground, since it may lie over a body.
@@ -85,34 +112,38 @@ std::vector<std::string> state_texts(const Simulation& simulation, std::size_t i
   return texts;
 }
 
-/// In one line if there is room for it, else in one line each, at the bottom of a view. Returns where it
-/// begins.
+/// In one line if there is room for it, else in one line each, at the bottom of a view; those that are too long for the
+/// view, or would hide the body in it, are left out. Returns where it begins.
 float draw_state(const Rectangle& viewport, std::vector<std::string> texts) {
   std::string joined;
   for (const std::string& text : texts) joined += (joined.empty() ? "" : "  ") + text;
-  if (ImGui::CalcTextSize(joined.c_str()).x < viewport.width - 2.0f * kMargin) texts = {joined};
-  float top = viewport.top + viewport.height - kMargin + 2.0f;
+  const float room = viewport.width - 2.0f * margin();
+  if (text_width(joined) < room) texts = {joined};
+  float top = viewport.top + viewport.height - margin() + 2.0f;
   for (auto text = texts.rbegin(); text != texts.rend(); ++text) {
-    top -= kLine;
-    write_on_paper(viewport.left + kMargin, top, kFaintInk, *text);
+    const bool hides_body = top - line_height() < viewport.top + 0.5f * viewport.height;
+    if (hides_body || text_width(*text) >= room) continue;
+    top -= line_height();
+    write_on_paper(viewport.left + margin(), top, kFaintInk, *text);
   }
   return top;
 }
 
 /// Below the name, at the right.
 void draw_legend(const Rectangle& viewport, float top) {
-  const float right = viewport.left + viewport.width - kMargin;
-  write_on_paper(right - ImGui::CalcTextSize("polhode").x, top + kLine, kPolhodeColor, "polhode");
-  write_on_paper(right - ImGui::CalcTextSize("herpolhode").x, top + 2.0f * kLine, kHerpolhodeColor,
+  const float right = viewport.left + viewport.width - margin();
+  write_on_paper(right - text_width("polhode"), top + line_height(), kPolhodeColor, "polhode");
+  write_on_paper(right - text_width("herpolhode"), top + 2.0f * line_height(), kHerpolhodeColor,
                  "herpolhode");
 }
 
 void draw_chip(float left, float top, std::size_t index) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  list.AddRectFilled({left - 2.0f, top - 2.0f}, {left + kChip + 2.0f, top + kChip + 2.0f}, im_color(kPaper));
-  list.AddRectFilled({left, top}, {left + kChip, top + kChip}, im_color(contender_color(index)));
+  list.AddRectFilled({left - 2.0f, top - 2.0f}, {left + chip_size() + 2.0f, top + chip_size() + 2.0f},
+                     im_color(kPaper));
+  list.AddRectFilled({left, top}, {left + chip_size(), top + chip_size()}, im_color(contender_color(index)));
   if (!is_dashed(index)) return;
-  list.AddRectFilled({left + 5.0f, top}, {left + 8.0f, top + kChip}, im_color(kPaper));
+  list.AddRectFilled({left + 5.0f, top}, {left + 8.0f, top + chip_size()}, im_color(kPaper));
 }
 
 std::string status_text(const Session& session) {
@@ -132,21 +163,25 @@ void draw_labels(const Session& session, const Scene& scene, const OrbitCamera& 
                  const Rectangle& viewport, std::size_t index) {
   const Simulation& simulation = session.simulation();
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float left = viewport.left + kMargin;
-  const float top = viewport.top + kMargin;
+  const float left = viewport.left + margin();
+  const float top = viewport.top + margin();
   list.PushClipRect({viewport.left, viewport.top},
                     {viewport.left + viewport.width, viewport.top + viewport.height});
-  const float title_end = top + (simulation.has_diverged(index) ? 2.0f : 1.0f) * kLine;
+  const float title_end = top + (simulation.has_diverged(index) ? 2.0f : 1.0f) * line_height();
   const float state_begin = draw_state(viewport, state_texts(simulation, index));
   const Rectangle free{viewport.left, title_end, viewport.width, state_begin - title_end};
   draw_arrow_names(simulation, scene, camera, is_teaching, viewport, free, index);
   if (is_teaching) draw_legend(viewport, top);
   draw_chip(left, top, index);
-  write_on_paper(left + kChip + 6.0f, top, kInk, simulation.run(index).contender().name);
+  const float name_left = left + chip_size() + scaled(6.0f);
+  const float right = viewport.left + viewport.width - margin();
+  write_on_paper(name_left, top, kInk,
+                 shortened_to(right - name_left, simulation.run(index).contender().name));
   if (simulation.has_diverged(index)) {
     const double t_s =
         static_cast<double>(simulation.run(index).diverged_at_step().value()) * simulation.scenario().dt;
-    write_on_paper(left, top + kLine, kWarning, "diverged at t = " + short_number_text(t_s, 6) + " s");
+    write_on_paper(left, top + line_height(), kWarning,
+                   shortened_to(right - left, "diverged at t = " + short_number_text(t_s, 6) + " s"));
   }
   list.AddRect({viewport.left, viewport.top},
                {viewport.left + viewport.width, viewport.top + viewport.height}, im_color(kRule));
@@ -155,22 +190,23 @@ void draw_labels(const Session& session, const Scene& scene, const OrbitCamera& 
 
 float status_height(const Session& session, float width) {
   const std::string text = status_text(session) + kHelpHint + session.notice();
-  const bool fits = ImGui::CalcTextSize(text.c_str()).x + 8.0f * kMargin < width;
-  return fits ? kStatusLine : kStatusLine + kLine;
+  const bool fits = text_width(text) + 8.0f * margin() < width;
+  return fits ? status_line() : status_line() + line_height();
 }
 
 void draw_status(const Session& session, const Rectangle& area) {
   ImGui::GetBackgroundDrawList()->AddRectFilled(
       {area.left, area.top}, {area.left + area.width, area.top + area.height}, im_color(kPaper));
-  const std::string text = status_text(session);
-  const float top = area.top + 0.5f * (kStatusLine - ImGui::GetTextLineHeight());
-  write(area.left + kMargin, top, kInk, text);
-  const float hint_width = ImGui::CalcTextSize(kHelpHint).x;
-  write(area.left + area.width - kMargin - hint_width, top, kFaintInk, kHelpHint);
-  if (area.height > kStatusLine) {
-    write(area.left + kMargin, top + kLine, kWarning, session.notice());
+  const std::string text = shortened_to(area.width - 2.0f * margin(), status_text(session));
+  const float top = area.top + 0.5f * (status_line() - ImGui::GetTextLineHeight());
+  write(area.left + margin(), top, kInk, text);
+  const float hint_left = area.left + area.width - margin() - text_width(kHelpHint);
+  if (area.left + text_width(text) + 4.0f * margin() < hint_left) write(hint_left, top, kFaintInk, kHelpHint);
+  if (area.height > status_line()) {
+    write(area.left + margin(), top + line_height(), kWarning,
+          shortened_to(area.width - 2.0f * margin(), session.notice()));
   } else {
-    write(area.left + ImGui::CalcTextSize(text.c_str()).x + 4.0f * kMargin, top, kWarning, session.notice());
+    write(area.left + text_width(text) + 4.0f * margin(), top, kWarning, session.notice());
   }
 }
 

@@ -160,7 +160,7 @@ class LiveWindow {
   ViewState view_;
   // Members that need the context are declared after it, so that they are destroyed before it.
   Window window_;
-  Gui gui_;
+  Gui gui_{window_.text_scale(), window_.pixels()};
   std::optional<Frame> frame_;
   bool was_down_ = false;
   double cursor_x_ = 0.0;

@@ -15,11 +15,11 @@ namespace {
 constexpr std::size_t kMostPoints = 400;
 /// The least width of a plot. Plots are scrolled where there is less room.
 constexpr float kLeastWidth = 250.0f;
-constexpr float kLeastHeight = 130.0f;
-constexpr float kLeftMargin = 62.0f;
-constexpr float kRightMargin = 12.0f;
-constexpr float kTopMargin = 22.0f;
-constexpr float kBottomMargin = 20.0f;
+constexpr float kLeastHeight = 150.0f;
+constexpr float kLeftMargin = 72.0f;
+constexpr float kRightMargin = 14.0f;
+constexpr float kTopMargin = 26.0f;
+constexpr float kBottomMargin = 24.0f;
 
 /// Takes times and values to pixels.
 struct Axes {
@@ -48,7 +48,7 @@ void draw_ticks(ImDrawList& list, const Axes& axes, bool is_logarithmic) {
     if (text == previous) continue;  // of a line that only rounding bends
     previous = text;
     list.AddLine({frame.left, y}, {frame.left + frame.width, y}, im_color(kRule, 0.6f));
-    list.AddText({frame.left - 5.0f - ImGui::CalcTextSize(text.c_str()).x, y - half_line},
+    list.AddText({frame.left - scaled(5.0f) - ImGui::CalcTextSize(text.c_str()).x, y - half_line},
                  im_color(kFaintInk), text.c_str());
   }
   float free_from = 0.0f;
@@ -58,13 +58,13 @@ void draw_ticks(ImDrawList& list, const Axes& axes, bool is_logarithmic) {
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     const float bottom = frame.top + frame.height;
     list.AddLine({x, bottom}, {x, bottom + 3.0f}, im_color(kFaintInk));
-    const bool meets_unit = x + 0.5f * width > frame.left + frame.width - 30.0f;
+    const bool meets_unit = x + 0.5f * width > frame.left + frame.width - scaled(36.0f);
     if (meets_unit || x - 0.5f * width < free_from) continue;
-    free_from = x + 0.5f * width + 6.0f;
-    list.AddText({x - 0.5f * width, bottom + 4.0f}, im_color(kFaintInk), text.c_str());
+    free_from = x + 0.5f * width + scaled(6.0f);
+    list.AddText({x - 0.5f * width, bottom + scaled(4.0f)}, im_color(kFaintInk), text.c_str());
   }
-  list.AddText({frame.left + frame.width - 24.0f, frame.top + frame.height + 4.0f}, im_color(kFaintInk),
-               "t, s");
+  list.AddText({frame.left + frame.width - scaled(26.0f), frame.top + frame.height + scaled(4.0f)},
+               im_color(kFaintInk), "t, s");
 }
 
 void draw_curve(ImDrawList& list, const Axes& axes, const Curve& curve, std::size_t index) {
@@ -81,8 +81,9 @@ void draw_plot(const Simulation& simulation, const PlotSubject& subject, const R
   const std::vector<Curve> curves = curves_of(simulation, subject, kMostPoints);
   const double first_s = static_cast<double>(simulation.first_kept_step()) * simulation.scenario().dt;
   const Range t_s{first_s, std::max(simulation.shown_t_s(), first_s + simulation.scenario().dt)};
-  const Axes axes{{area.left + kLeftMargin, area.top + kTopMargin, area.width - kLeftMargin - kRightMargin,
-                   area.height - kTopMargin - kBottomMargin},
+  const Axes axes{{area.left + scaled(kLeftMargin), area.top + scaled(kTopMargin),
+                   area.width - scaled(kLeftMargin) - scaled(kRightMargin),
+                   area.height - scaled(kTopMargin) - scaled(kBottomMargin)},
                   t_s,
                   value_range(curves)};
   const auto leaving = std::count_if(curves.begin(), curves.end(),
@@ -91,7 +92,8 @@ void draw_plot(const Simulation& simulation, const PlotSubject& subject, const R
   std::string remark;
   if (!is_known) remark = "not known here";
   if (leaving > 0) remark = number_text(static_cast<std::int64_t>(leaving)) + " off the scale";
-  list.AddText({area.left + kLeftMargin, area.top + 4.0f}, im_color(kInk), subject.title().c_str());
+  list.AddText({area.left + scaled(kLeftMargin), area.top + scaled(5.0f)}, im_color(kInk),
+               subject.title().c_str());
   if (is_known) draw_ticks(list, axes, subject.quantity->is_error());
   const ImVec2 corner{axes.frame.left, axes.frame.top};
   const ImVec2 far_corner{axes.frame.left + axes.frame.width, axes.frame.top + axes.frame.height};
@@ -111,12 +113,13 @@ void draw_plots(const Session& session, const Rectangle& area) {
   ImGui::SetNextWindowSize({area.width, area.height});
   ImGui::Begin("plots", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove);
-  const auto columns = static_cast<std::size_t>(std::clamp(area.width / kLeastWidth, 1.0f, 5.0f));
+  const auto columns = static_cast<std::size_t>(std::clamp(area.width / scaled(kLeastWidth), 1.0f, 5.0f));
   const std::vector<PlotSubject> subjects = plot_subjects();
   const std::size_t rows = (subjects.size() + columns - 1) / columns;
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const Rectangle all{corner.x, corner.y, ImGui::GetContentRegionAvail().x,
-                      std::max(ImGui::GetContentRegionAvail().y, kLeastHeight * static_cast<float>(rows))};
+  const Rectangle all{
+      corner.x, corner.y, ImGui::GetContentRegionAvail().x,
+      std::max(ImGui::GetContentRegionAvail().y, scaled(kLeastHeight) * static_cast<float>(rows))};
   for (std::size_t index = 0; index < subjects.size(); ++index) {
     draw_plot(session.simulation(), subjects[index], grid_cell_of_columns(all, index, columns, rows));
   }

@@ -4,10 +4,31 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
+
+#include "viewer/interface/font_file.h"
 
 namespace polhode::demos {
 
-Gui::Gui() {
+namespace {
+
+/// Letters of western languages, Greek, subscripts, the minus sign: the subset that the file has.
+constexpr ImWchar kGlyphs[] = {0x20, 0xFF, 0x391, 0x3C9, 0x2070, 0x209C, 0x2212, 0x2212, 0};
+
+void load_font(float size, float pixels) {
+  const std::string_view file = font_file();
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  ImGuiIO& io = ImGui::GetIO();
+  // Drawn with all pixels of the screen, shown in its units.
+  io.Fonts->AddFontFromMemoryTTF(const_cast<char*>(file.data()), static_cast<int>(file.size()), size * pixels,
+                                 &config, kGlyphs);
+  io.FontGlobalScale = 1.0f / pixels;
+}
+
+}  // namespace
+
+Gui::Gui(float scale, float pixels) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
   ImGui::StyleColorsLight();
@@ -16,6 +37,11 @@ Gui::Gui() {
   style.FrameRounding = 2.0f;
   style.FrameBorderSize = 1.0f;
   style.WindowBorderSize = 0.0f;
+  style.WindowPadding = {10.0f, 10.0f};
+  style.FramePadding = {6.0f, 3.0f};
+  style.ItemSpacing = {8.0f, 5.0f};
+  style.ScaleAllSizes(scale);
+  load_font(kFontSize * scale, pixels);
   if (!ImGui_ImplOpenGL3_Init("#version 330 core")) {
     ImGui::DestroyContext();
     throw std::runtime_error("Dear ImGui finds no OpenGL 3.3");

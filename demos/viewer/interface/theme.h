@@ -9,11 +9,19 @@ namespace polhode::demos {
 /// Dear ImGui, dressed for a light ground, while it lives. Needs a current OpenGL context.
 class Gui {
  public:
-  Gui();
+  /// Texts are `scale` times as large as on a usual screen, in units of which each has `pixels` pixels.
+  explicit Gui(float scale = 1.0f, float pixels = 1.0f);
   ~Gui();
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 };
+
+inline constexpr float kFontSize = 15.0f;
+
+/// Returns a length that is to grow with the texts.
+inline float scaled(float length) {
+  return length * ImGui::GetFontSize() / kFontSize;
+}
 
 ImU32 im_color(Color color, float opacity = 1.0f);
 

@@ -39,4 +39,18 @@ Window::~Window() {
   glfwTerminate();
 }
 
+float Window::pixels() const {
+  int width = 0;
+  int width_pixels = 0;
+  glfwGetWindowSize(window_, &width, nullptr);
+  glfwGetFramebufferSize(window_, &width_pixels, nullptr);
+  return static_cast<float>(width_pixels) / static_cast<float>(width);
+}
+
+float Window::text_scale() const {
+  float scale = 1.0f;
+  glfwGetWindowContentScale(window_, &scale, nullptr);
+  return scale / pixels();
+}
+
 }  // namespace polhode::demos

@@ -14,6 +14,10 @@ class Window {
   Window& operator=(const Window&) = delete;
 
   GLFWwindow* handle() const { return window_; }
+  /// Returns the pixels to a unit of the window's size.
+  float pixels() const;
+  /// Returns by how much the screen asks for larger texts than one of the usual density, in the window's units.
+  float text_scale() const;
 
  private:
   GLFWwindow* window_;

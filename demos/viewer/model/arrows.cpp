@@ -40,7 +40,7 @@ std::vector<Arrow> arrows_of(const Sample& sample, const Sample& start, double r
   }
   const Vector3& omega_W = sample.state.omega_W;
   const Vector3& L_W = sample.state.L_W;
-  arrows.push_back({"omega", from_W,
+  arrows.push_back({"\u03c9", from_W,
                     length_of(omega_W, start.state.omega_W, kOmegaLength) * radius * omega_W.normalized(),
                     kOmegaColor});
   arrows.push_back({"L", from_W, length_of(L_W, start.state.L_W, kMomentumLength) * radius * L_W.normalized(),

@@ -32,15 +32,15 @@ expect_in() { # FILE PATTERN
   fi
 }
 
-declare -A place=([scenarios]="155 34" [fast_spinner]="60 127" [run]="39 105" [start_over]="117 105"
-  [step_back]="188 105" [step]="246 105" [slower]="32 128" [faster]="90 128" [teaching]="17 151" [follow]="17 174"
-  [exact]="37 218" [matrix]="37 241" [bullet]="37 333" [dt]="100 607" [inertia]="52 647" [omega]="52 687"
-  [apply]="81 710" [undo]="181 710" [csv_file]="97 754" [write_csv]="231 754" [png_file]="97 777" [write_png]="231 777"
-  [recording_file]="97 800" [record]="220 800")
+declare -A place=([scenarios]="165 41" [fast_spinner]="60 149" [run]="40 106" [start_over]="118 106"
+  [step_back]="192 106" [step]="255 106" [slower]="37 133" [faster]="97 133" [teaching]="20 159" [follow]="20 185"
+  [exact]="40 236" [matrix]="40 262" [bullet]="40 366" [dt]="100 677" [inertia]="55 723" [omega]="55 769"
+  [apply]="82 795" [undo]="185 795" [csv_file]="100 846" [write_csv]="246 846" [png_file]="100 872" [write_png]="247 872"
+  [recording_file]="100 898" [record]="236 898")
 
 cd "$directory"
 # Hardly wider than the panel, so that a frame takes no time to draw and each click is seen by one.
-open_viewer --contender exact --width 340 --height 900 --record closed.txt
+open_viewer --contender exact --width 340 --height 980 --record closed.txt
 click step step step step_back teaching follow slower faster faster
 click matrix bullet matrix step step write_csv write_png record
 expect_in polhode_run.txt '"contenders":\["exact","bullet"\].*"dt":0.03'
