@@ -1,30 +1,31 @@
-// A body's free rotation by theta functions (Jacobi 1850; Landau and Lifshitz, section 37, for the polhode).
+// Free rotation of a body in theta functions (Jacobi 1850; Landau and Lifshitz, section 37, for the polhode).
 //
-// P is a frame fixed in the body with axes along the principal ones, axis 3 being the one that the polhode
-// goes round, I2 between I1 and I3, and at the start y1 >= 0, y3 > 0 for the components y of L_P. In P
+// P is a frame fixed in the body with axes along the principal axes. The polhode goes round axis 3, and I2
+// lies between I1 and I3. At the start the components y of L_P have y1 >= 0, y3 > 0. In P
 //   y = (A cn u, B sn u, C dn u),  u = u0 + nu t,  parameter m = k^2.
-// For the orientation let q_LP = (w, x, y, z) take P to a frame whose third axis is along L. With
-// a = w + iz, b = x + iy (the Cayley-Klein parameters) dq/dt = q omega/2 is
+// For the orientation let q_LP = (w, x, y, z) take P to a frame whose third axis is along L. With a = w + iz,
+// b = x + iy (the Cayley-Klein parameters) dq/dt = q omega/2 is
 //   a' = (i omega3 a - (omega1 - i omega2) b)/2,
-// and where n = y/|L|: n3 = |a|^2 - |b|^2, n1 + i n2 = 2i a* b. As functions of u both parameters have one
+// and with n = y/|L|: n3 = |a|^2 - |b|^2, n1 + i n2 = 2i a* b. As functions of u both parameters have one
 // zero in a period and, at the poles of n, the singularities of 1/sqrt(theta4(x | tau)). Hence
 //   a = N e^(i Lambda) theta4(x - i epsilon | 2 tau)
 //   b = N e^(i Lambda) theta1(x - i epsilon | 2 tau),  x = pi u/2K,
 // with the nome of m, e^(i pi tau) = e^(-pi K'/K), a phase Lambda that grows at a constant rate, and a real
-// factor N, common to both, which normalising the quaternion takes care of. By the addition formulas for
-// theta functions n3 is dn u times a constant, which gives epsilon = pi s/2K with dn(i s) = |L|/C. The rate
-// of Lambda follows from that of arg a at u = 0, which is (C/I3 + (|L| - C)/I1)/2.
+// common factor N, which normalising the quaternion removes. By the addition formulas for theta functions n3
+// is dn u times a constant, which gives epsilon = pi s/2K with dn(i s) = |L|/C. The rate of Lambda follows
+// from that of arg a at u = 0, which is (C/I3 + (|L| - C)/I1)/2.
 //
-// Near the separatrix, k -> 1 and K -> infinity, these series converge slowly. There Jacobi's imaginary
-// transformation helps (DLMF 20.7(viii)): up to a common factor
+// Near the separatrix, k -> 1 and K -> infinity, these series converge slowly. Jacobi's imaginary
+// transformation (DLMF 20.7(viii)) gives, up to a common factor,
 //   a = e^(i Lambda) theta2(psi + i w),  b = -i e^(i Lambda) theta1(psi + i w),
 //   psi = pi s/4K',  w = pi u/4K',  nome e^(-pi K/2K'),
-// series in hyperbolic functions, of which the first terms remain on the separatrix: tanh and sech. Before
-// that u is reduced to |u| <= K; each period 2K takes 2 psi from Lambda and the sign from b.
+// which are series in hyperbolic functions. On the separatrix only their first terms remain, tanh and sech.
+// First, u is reduced to |u| <= K; each period 2K removed subtracts 2 psi from Lambda and flips the sign of
+// b.
 //
-// Boost's jacobi_elliptic is no help here: it takes k, and 1 - k^2 is lost where the bodies get interesting.
-// So m and 1 - m are both formed from what they depend on, and K, K', s and u0 from both by the
-// arithmetic-geometric mean and Carlson's R_F, without a difference that could cancel.
+// Boost's jacobi_elliptic takes k, and 1 - k^2 loses all digits near the separatrix. Here m and 1 - m are
+// both computed without cancellation, and K, K', s and u0 follow from both by the arithmetic-geometric mean
+// and Carlson's R_F.
 #include "oracle/free_top.h"
 
 #include <stdexcept>
@@ -36,7 +37,7 @@ namespace polhode::oracle {
 
 namespace {
 
-/// q_LP at the phases, in one type of numbers. Not a unit quaternion.
+/// q_LP at given phases, in number type R. Not normalised.
 template <class R>
 class PeriodicPart {
  public:
@@ -75,14 +76,14 @@ class PeriodicPart {
   HyperbolicSeries<R> hyperbolic_series_;
 };
 
-/// The placement of the closed form in the world and in the body: q_WB = q_WL q_LP q_PB.
+/// Places the closed form in the world and in the body: q_WB = q_WL q_LP q_PB.
 struct Placement {
   Constants constants;
   Axes axes;
   Rotation<Real> q_WL, q_PB;
 };
 
-/// q_WB, in one type of numbers. Not a unit quaternion.
+/// q_WB, in number type R. Not normalised.
 template <class R>
 class Orientation {
  public:
@@ -98,7 +99,7 @@ class Orientation {
     using std::sqrt;
     const Rotation<R> difference = at(phases).conjugate() * widened<R>(q_WB);
     const R sine = sqrt(difference.vec().squaredNorm());
-    // From here on a rounding is one of the angle's last digit.
+    // The angle is small from here on: double precision rounds only its last digit.
     return 2 * std::atan2(static_cast<double>(sine), std::abs(static_cast<double>(difference.w())));
   }
 
@@ -117,7 +118,7 @@ void check(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& L_W)
   if (!L_W.allFinite()) throw std::invalid_argument("FreeTop: the angular momentum must be finite");
 }
 
-/// L_B/|L| from the third row of q_LP's matrix.
+/// Computes L_B/|L| from the third row of the matrix of q_LP.
 Triple<Real> direction_B(const Rotation<Real>& q_LP, const Axes& axes) {
   const Triple<Real> direction(2 * (q_LP.x() * q_LP.z() - q_LP.w() * q_LP.y()),
                                2 * (q_LP.y() * q_LP.z() + q_LP.w() * q_LP.x()),
@@ -127,7 +128,7 @@ Triple<Real> direction_B(const Rotation<Real>& q_LP, const Axes& axes) {
   return result;
 }
 
-/// q^-1 L q times |q|^2: without a division, so that what is 0 is.
+/// Computes q^-1 L q times |q|^2. Avoids the division, so that exact zeros stay exact.
 Triple<Wide> unnormalised_L_B(const Quaternion& q_WB, const Vector3& L_W) {
   const Rotation<Wide> q = widened<Wide>(q_WB);
   const Rotation<Wide> L(Wide(0), Wide(L_W.x()), Wide(L_W.y()), Wide(L_W.z()));
@@ -137,7 +138,7 @@ Triple<Wide> unnormalised_L_B(const Quaternion& q_WB, const Vector3& L_W) {
 Constants constants_of(const Triple<Wide>& inertia_B, const Triple<Wide>& L_B, const Axes& axes,
                        const Real& q_squared) {
   Polhode polhode = polhode_of(inertia_B, L_B, axes);
-  // All else is a quotient in which the length of q cancels.
+  // The length of q cancels in all other constants.
   polhode.L /= q_squared;
   polhode.nu /= q_squared;
   return Constants(polhode);

@@ -9,7 +9,7 @@ namespace polhode::oracle {
 namespace {
 
 Real arithmetic_geometric_mean(Real a, Real b) {
-  // Converges quadratically: a difference under the root of epsilon is the last.
+  // Converges quadratically: once the difference is below sqrt(epsilon), the next mean is exact.
   const Real close_enough = sqrt(std::numeric_limits<Real>::epsilon());
   while (abs(a - b) > close_enough * a) {
     const Real mean = (a + b) / 2;
@@ -19,17 +19,17 @@ Real arithmetic_geometric_mean(Real a, Real b) {
   return (a + b) / 2;
 }
 
-/// F(phi, k) for |phi| <= pi/2, from sin phi, cos^2 phi and 1 - k^2 sin^2 phi (DLMF 19.25.5).
+/// Returns F(phi, k) for |phi| <= pi/2, from sin phi, cos^2 phi and 1 - k^2 sin^2 phi (DLMF 19.25.5).
 Real incomplete_integral(const Real& sine, const Real& cosine_squared, const Real& delta_squared) {
   return sine * boost::math::ellint_rf(cosine_squared, delta_squared, Real(1));
 }
 
-/// K of the modulus with this complementary parameter, not 0.
+/// Returns K for a complementary parameter 1 - k^2, which must not be 0.
 Real complete_integral(const Real& complementary_parameter) {
   return kPi / (2 * arithmetic_geometric_mean(1, sqrt(complementary_parameter)));
 }
 
-/// The quotient rounded to a whole number, which is what is taken off.
+/// Subtracts the nearest whole number of periods from `value` and returns that number.
 Real take_off_periods(Real& value, const Real& period) {
   const Real periods = floor(value / period + Real(0.5));
   value -= periods * period;
@@ -53,7 +53,8 @@ Constants::Constants(const Polhode& polhode) : nu(polhode.nu) {
   }
 }
 
-// K' - s is an integral of its own, whose amplitude is the angle between L and the plane 1-2.
+// Computes K' - s directly, as an incomplete integral whose amplitude is the angle between L and the plane
+// 1-2.
 void Constants::set_circular(const Polhode& polhode, const Real& K_complementary) {
   scale = kPi / (2 * K);
   if (polhode.m != 0) nome = exp(-kPi * K_complementary / K);

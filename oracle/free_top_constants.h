@@ -4,15 +4,15 @@
 
 namespace polhode::oracle {
 
-/// The position of a motion in its periods.
+/// The position of a motion within its periods.
 struct Phases {
-  Real lambda;              ///< of a and b, reduced to |lambda| <= pi
+  Real lambda;              ///< phase of a and b, reduced to |lambda| <= pi
   Real u;                   ///< reduced to |u| <= K
   Real to_end;              ///< K - |u|
-  bool odd_period = false;  ///< b has the other sign
+  bool odd_period = false;  ///< true: the sign of b is flipped
 };
 
-/// The closed form's constants.
+/// Constants of the closed form.
 struct Constants {
   explicit Constants(const Polhode& polhode);
   Phases phases_at(const Real& t) const;
@@ -21,8 +21,8 @@ struct Constants {
   bool hyperbolic = false;
   Real K = 0, nu = 0, u0 = 0;
   Real nome = 0;
-  Real p_or_psi = 0;     ///< what the circular, the hyperbolic series has
-  Real scale = 0;        ///< from u to x or w
+  Real p_or_psi = 0;     ///< argument of the circular (p) or hyperbolic (psi) series
+  Real scale = 0;        ///< factor from u to x or w
   Real lambda_rate = 0;  ///< rad/s
   Real lambda_per_period = 0;
 

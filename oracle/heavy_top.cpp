@@ -5,9 +5,9 @@
 
 namespace polhode::oracle {
 
-// A cos(tilt) Omega^2 - C spin Omega + m g l = 0 with the moments A, C about the point held (Landau &
-// Lifshitz, section 35, problem 1). Its smaller root, written so that nothing cancels for a fast top, nor is
-// 0/0 for one on its side.
+// Solves A cos(tilt) Omega^2 - C spin Omega + m g l = 0, where A and C are the moments about the fixed point
+// (Landau & Lifshitz, section 35, problem 1). Returns the smaller root in a form that does not cancel for a
+// fast top and is not 0/0 for a horizontal one.
 double slow_precession(const HeavyTop& top, double tilt, double spin) {
   const double about_point = top.transverse + top.mass * top.length * top.length;
   const double axial_momentum = top.axial * spin;

@@ -4,18 +4,18 @@
 
 namespace polhode::oracle {
 
-/// A symmetric top held at a point of its axis, under gravity along -z; SI units.
+/// A symmetric top with a fixed point on its axis, under gravity along -z; SI units.
 struct HeavyTop {
-  double transverse;  ///< moment about an axis across its own, through the centre of mass
-  double axial;       ///< moment about its own axis
+  double transverse;  ///< moment about a transverse axis through the centre of mass
+  double axial;       ///< moment about the symmetry axis
   double mass;
-  double length;   ///< from the point held, which is the origin, to the centre of mass
+  double length;   ///< distance from the fixed point, the origin, to the centre of mass
   double gravity;  ///< m/s^2
 };
 
-/// The slower of the two rates (rad/s, about z) at which a top tilted by `tilt` from the vertical precesses
-/// steadily. `spin` is the component of its angular velocity along its own axis.
-/// @throws std::invalid_argument if there is none: it spins too slowly.
+/// Returns the slower of the two rates (rad/s, about z) at which a top tilted by `tilt` from the vertical
+/// precesses steadily. `spin` is the component of its angular velocity along its symmetry axis.
+/// @throws std::invalid_argument if the top spins too slowly to precess steadily.
 double slow_precession(const HeavyTop& top, double tilt, double spin);
 
 /// A steadily precessing top, at the moment when its axis leans towards x.

@@ -8,12 +8,12 @@
 
 #include "polhode/rotation_state.h"
 
-/// Vectors and quaternions of more digits than a double has.
+/// Vectors and quaternions with more digits than double.
 namespace polhode::oracle {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
-// Wide enough for products of the given doubles to be exact: what is zero exactly, such as the distance from
-// the separatrix, must come out as zero.
+// Wide enough for exact products of the given doubles: a quantity that is exactly zero, such as the distance
+// from the separatrix, must come out as zero.
 using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<200>>;
 
 template <class R>

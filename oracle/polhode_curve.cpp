@@ -6,7 +6,7 @@ namespace polhode::oracle {
 
 namespace {
 
-/// At rest, or turning about one principal axis for ever.
+/// Returns true if the body is at rest or rotates about a principal axis.
 bool is_steady(const Triple<Wide>& L_B) {
   return std::count(L_B.begin(), L_B.end(), Wide(0)) >= 2;
 }
@@ -17,14 +17,14 @@ void make_right_handed(Axes& axes, const Triple<Wide>& L_B) {
   axes[1].sign = (cyclic ? 1 : -1) * axes[0].sign * axes[2].sign;
 }
 
-/// |L|^2 - 2 T I2 times |I1 - I3|, up to a positive factor: above 0 if the polhode goes round axis 3, below
-/// if round axis 1, 0 on the separatrix. No quotient and no root is rounded here.
+/// Returns (|L|^2 - 2 T I2) |I1 - I3|, up to a positive factor: above 0 if the polhode goes round axis 3,
+/// below 0 if round axis 1, 0 on the separatrix. Exact: no division, no square root.
 Wide side_of_separatrix(const Triple<Wide>& inertia, const Triple<Wide>& L) {
   return square(L[2]) * abs(inertia[2] - inertia[1]) * inertia[0] -
          square(L[0]) * abs(inertia[1] - inertia[0]) * inertia[2];
 }
 
-/// Components along P's axes, but for their signs.
+/// Returns the components along P's axes, without their signs.
 Triple<Wide> ordered(const Triple<Wide>& v_B, const Axes& axes) {
   return {v_B[axes[0].index], v_B[axes[1].index], v_B[axes[2].index]};
 }
@@ -38,11 +38,11 @@ Polhode steady_polhode(const Real& inertia, const Real& L) {
   return polhode;
 }
 
-/// y = L_P; the moments in the order of P's axes. Not for a steady motion.
+/// Takes y = L_P and the moments in the order of P's axes. The motion must not be steady.
 Polhode polhode_through(const Triple<Wide>& inertia, const Triple<Wide>& y) {
   const Wide &I1 = inertia[0], &I2 = inertia[1], &I3 = inertia[2];
   const Wide d21 = abs(I2 - I1), d32 = abs(I3 - I2), d31 = abs(I3 - I1);
-  // Relative to d31. In a sphere any axis is as good as another.
+  // Relative to d31. For a sphere the choice of axis does not matter.
   const Wide part32 = d31 == 0 ? Wide(1) : Wide(d32 / d31), part21 = d31 == 0 ? Wide(0) : Wide(d21 / d31);
   const Wide A_squared = square(y[0]) + square(y[1]) * I1 * part32 / I2;
   const Wide C_squared = square(y[2]) + square(y[1]) * I3 * part21 / I2;
@@ -87,7 +87,7 @@ Axes polhode_axes(const Triple<Wide>& inertia_B, const Triple<Wide>& L_B) {
     if (spun != axes.end()) std::swap(*spun, axes[2]);
   } else {
     const Triple<Wide> inertia = ordered(inertia_B, axes);
-    // A symmetric top's polhode goes round its own axis.
+    // The polhode of a symmetric top goes round its symmetry axis.
     if (side_of_separatrix(inertia, ordered(L_B, axes)) < 0 || inertia[2] == inertia[1]) {
       std::swap(axes[0], axes[2]);
     }

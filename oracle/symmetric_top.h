@@ -5,8 +5,8 @@
 namespace polhode::oracle {
 
 /// The torque-free rotation of a body with inertia_B = (transverse, transverse, axial), in elementary
-/// functions: with time the body turns about L_W at |L|/transverse, and about its own axis 3 at L_3 (1/axial
-/// - 1/transverse).
+/// functions: the body turns about L_W at the rate |L|/transverse, and about its own axis 3 at L_3 (1/axial -
+/// 1/transverse).
 class SymmetricTop {
  public:
   SymmetricTop(double transverse, double axial, const Quaternion& q_WB, const Vector3& L_W);

@@ -52,7 +52,7 @@ std::array<Number, size> value_after(const std::array<std::array<Number, size>, 
 struct TaylorTop::State {
   void expand();
   double longest_step() const;
-  // To so much after the expansion.
+  // Moves to time h after the expansion.
   void move_to(const Number& h);
   Numbers4 L_W() const { return product(product(q_WB, {0, L_B[0], L_B[1], L_B[2]}), conjugate(q_WB)); }
 
@@ -61,10 +61,11 @@ struct TaylorTop::State {
   // Coefficients of t^n.
   std::array<Numbers3, kOrder + 1> L_series, omega_series;
   std::array<Numbers4, kOrder + 1> q_series;
-  Number since_expansion = 0, reach = 0;  // of the expansion, s
+  Number since_expansion = 0, reach = 0;  // s; reach: range of the expansion
 };
 
-// Reaches as many calls of advance as its longest step holds, since it costs a hundred times an evaluation.
+// The expansion stays valid over as many calls of advance as its range allows, since it costs as much as a
+// hundred evaluations.
 void TaylorTop::State::expand() {
   L_series[0] = L_B;
   q_series[0] = q_WB;
@@ -97,7 +98,7 @@ void TaylorTop::State::move_to(const Number& h) {
   since_expansion = h;
 }
 
-// From the last two coefficients (Jorba & Zou 2005), two in case one of them vanishes.
+// From the last two coefficients (Jorba & Zou 2005); two, because one of them may vanish.
 double TaylorTop::State::longest_step() const {
   const auto step_for = [](const Number& coefficient, int n) {
     return coefficient == 0 ? 1e300 : static_cast<double>(pow(Number(1e-40) / coefficient, Number(1) / n));

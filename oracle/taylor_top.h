@@ -6,13 +6,14 @@
 
 namespace polhode::oracle {
 
-/// The torque-free rotation once more, to test FreeTop, with which it shares nothing, and that of bodies with rotors
-/// inside: Taylor series of Euler's equations dL_B/dt = L_B x omega_B, omega_B = I_B^-1 (L_B - h), and of
-/// dq_WB/dt = 1/2 q_WB [0, omega_B] in 50 digits, of order 36, whose expansions keep the terms left out below 1e-40.
-/// An expansion takes some 3 ms and reaches a few tenths of a rad; within it a step takes some 0.1 ms.
+/// Integrates torque-free rotation, of a body with or without rotors, in Taylor series of order 36 with 50
+/// digits. Tests FreeTop, with which it shares no code. The equations are
+///   dL_B/dt = L_B x omega_B,  omega_B = I_B^-1 (L_B - h),  dq_WB/dt = 1/2 q_WB [0, omega_B].
+/// Steps are short enough for a truncation error below 1e-40. An expansion takes about 3 ms and reaches a few
+/// tenths of a rad; a step within it takes about 0.1 ms.
 class TaylorTop {
  public:
-  /// rotor_B: h, the angular momentum of the rotors, constant in body axes.
+  /// rotor_B is h, the angular momentum of the rotors, constant in body axes.
   TaylorTop(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& L_W,
             const Vector3& rotor_B = Vector3::Zero());
   ~TaylorTop();
@@ -21,10 +22,10 @@ class TaylorTop {
 
   Quaternion q_WB() const;
   Vector3 L_B() const;
-  /// Returns the error as FreeTop::attitude_error does.
+  /// Same as FreeTop::attitude_error.
   double attitude_error(const Quaternion& q_WB) const;
-  /// Returns how far q_WB L_B and |q_WB| have moved from the start, relative to it. The integration does not
-  /// impose that they are kept.
+  /// Returns the relative change of q_WB L_B and |q_WB| since the start. The integration does not enforce
+  /// that they are constant.
   double drift() const;
 
  private:

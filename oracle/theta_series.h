@@ -6,17 +6,17 @@
 
 #include "oracle/many_digits.h"
 
-/// The theta functions of the free top's Cayley-Klein parameters; free_top.cpp derives them.
+/// The theta functions in the free top's Cayley-Klein parameters, derived in free_top.cpp.
 namespace polhode::oracle {
 
-/// Terms below this, relative to the largest, are left out.
+/// Terms below this fraction of the largest term are dropped.
 template <class R>
 Real negligible() {
   return Real(std::numeric_limits<R>::epsilon()) / 16;
 }
 
-/// a and b before their phase, up to a common factor, where the series in cosines converges fast. With
-/// p = e^(epsilon - pi K'/2K) and x = pi u/2K, theta4 has the even and theta1 the odd of the terms
+/// a and b without their phase, up to a common factor, for nomes at which the series in cosines converges
+/// fast. With p = e^(epsilon - pi K'/2K) and x = pi u/2K, theta4 has the even and theta1 the odd terms of
 /// q^(k(k-1)/2) p^k e^(ikx) and q^(k(k+1)/2) p^-k e^(-ikx).
 template <class R>
 class CircularSeries {
@@ -39,7 +39,7 @@ class CircularSeries {
     using std::cos, std::sin;
     const R cos_x = cos(x), sin_x = sin(x);
     Rotation<R> result(0, 0, 0, 0);
-    R cosine = 1, sine = 0;  // of k x
+    R cosine = 1, sine = 0;  // cos(k x), sin(k x)
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       if (k % 2 == 0) {
         result.w() += sums_[k] * cosine;
@@ -74,8 +74,8 @@ class CircularSeries {
   std::vector<R> sums_, differences_;
 };
 
-/// The same near the separatrix, of zeta' = psi + i w with w = pi u/4K', |u| <= K: theta2 and theta1 have
-/// terms nome^(n^2 + n) e^(+-(2n + 1)(w - i psi)), here divided by e^|w|, which may be beyond any number.
+/// a and b near the separatrix, at zeta' = psi + i w with w = pi u/4K', |u| <= K. theta2 and theta1 have the
+/// terms nome^(n^2 + n) e^(+-(2n + 1)(w - i psi)), here divided by e^|w|, which could overflow.
 template <class R>
 class HyperbolicSeries {
  public:
@@ -91,7 +91,7 @@ class HyperbolicSeries {
     }
   }
 
-  /// `decay` is e^-|w|; `growth` is nome e^2|w|, which is 1 where the period ends.
+  /// `decay` is e^-|w|; `growth` is nome e^2|w|, which is 1 at the end of the period.
   Rotation<R> at(const R& decay, const R& growth, bool negative) const {
     Rotation<R> result(0, 0, 0, 0);
     const R decay_squared = decay * decay;

@@ -15,7 +15,7 @@ namespace polhode::oracle {
 namespace {
 
 const Quaternion kNoTurn = Quaternion::Identity();
-const Quaternion kSomeTurn(0.3, -0.4, 0.5, 0.7);  // of no particular length
+const Quaternion kSomeTurn(0.3, -0.4, 0.5, 0.7);  // deliberately not normalised
 
 struct FreeBody {
   const char* name;
@@ -53,7 +53,7 @@ const std::vector<FreeBody> kBodies = {
     {"MiddleAxisFlipsOver", {1, 2, 3}, kNoTurn, {0.01, 10, -0.01}, 5.0},
     {"NearlyMiddleAxis", {1, 2, 3}, kNoTurn, {1e-14, 10, 1e-14}, 12.0},
     {"HandoutsT", {24.1449, 28.436, 118.812}, kNoTurn, {2.41449, 284.36, 0}, 5.0},
-    // 2, 3, 6 has its separatrix where L_1^2 = L_3^2.
+    // With moments 2, 3, 6 the separatrix is where L_1^2 = L_3^2.
     {"OnTheSeparatrix", {2, 3, 6}, kNoTurn, {1, 0.5, 1}, 10.0},
     {"OnTheSeparatrixTheOtherWay", {2, 3, 6}, kNoTurn, {-1, -2, 1}, 10.0},
     {"TurnedOnTheSeparatrix", {2, 3, 6}, Quaternion(1, 2, 2, 4), {0.625, 2.5625, 3.875}, 8.0},
@@ -84,13 +84,13 @@ std::string test_name(const ::testing::TestParamInfo<FreeBody>& info) {
 
 INSTANTIATE_TEST_SUITE_P(FreeTop, EachFreeBody, ::testing::ValuesIn(kBodies), test_name);
 
-// Rounded to double, an orientation is off by some 1e-16 rad. Both have to see that angle, and agree in all
-// of its digits: so they are compared far below the rounding of a double.
+// Rounding to double changes an orientation by about 1e-16 rad. Both oracles must measure that angle and
+// agree in all its digits, so the comparison reaches far below double rounding.
 void expect_same_motion(const FreeTop& top, TaylorTop& reference, double t_s, double L) {
   const Quaternion q_WB = reference.q_WB();
   EXPECT_NEAR(top.attitude_error(q_WB, t_s), reference.attitude_error(q_WB), 1e-31)
       << t_s;                                                                // measured 2.5e-32
-  EXPECT_LT((top.q_WB(t_s).coeffs() - q_WB.coeffs()).norm(), 2e-16) << t_s;  // measured 4e-51; the sign too
+  EXPECT_LT((top.q_WB(t_s).coeffs() - q_WB.coeffs()).norm(), 2e-16) << t_s;  // measured 4e-51; includes the sign
   EXPECT_LE((top.L_B(t_s) - reference.L_B()).norm(), 2e-16 * L) << t_s;      // measured 2e-51
 }
 
@@ -152,9 +152,9 @@ TEST_P(EachFreeBody, IsQuicklyComparedWithinARoundingOfTheExactComparison) {
   const FreeBody& body = GetParam();
   const FreeTop top = top_of(body);
   const double rate = body.L_W.norm() / body.inertia_B.minCoeff();
-  // The step has few digits, so that its multiples are exact.
+  // A step with few digits, so that its multiples are exact.
   const double dt = static_cast<float>(rate > 0.0 ? 10.0 / rate / 1024.0 : 1.0);
-  for (const std::int64_t steps : {1, 1000, 3686400}) {  // the last is an hour at 10 rad/s
+  for (const std::int64_t steps : {1, 1000, 3686400}) {  // the last one is an hour at 10 rad/s
     const double t_s = dt * static_cast<double>(steps);
     const Quaternion q_WB = top.q_WB(t_s);
     EXPECT_NEAR(top.attitude_error_after(q_WB, steps, dt), top.attitude_error(q_WB, t_s), 1e-18)
@@ -162,20 +162,20 @@ TEST_P(EachFreeBody, IsQuicklyComparedWithinARoundingOfTheExactComparison) {
   }
 }
 
-// Advanced by t1, put anew, and advanced by t2, a body is where t1 + t2 takes it, but for what the rounding
-// of the state at t1 grows to.
+// Restarting from the state at t1 and advancing by t2 gives the state at t1 + t2, up to the growth of the
+// rounding error at t1.
 TEST(FreeTop, GoesOnFromWhereItIs) {
   for (const FreeBody& body : kBodies) {
     const double t1 = 0.375 * body.duration, t2 = 0.625 * body.duration;
     const FreeTop top = top_of(body);
     const FreeTop rest(body.inertia_B, top.q_WB(t1), body.L_W);
-    // measured 3.3e-13 for the handout's T, which flips over, less than 3e-15 for the others
+    // measured 3.3e-13 for the handout's T, which flips over; less than 3e-15 for the others
     EXPECT_LT(top.attitude_error(rest.q_WB(t2), t1 + t2), 1e-12) << body.name;
   }
 }
 
 TEST(FreeTop, ComesBackAfterAnHour) {
-  const Vector3 inertia_B(1, 2, 3), L_W(10, 8, 20);  // some 12 rad/s
+  const Vector3 inertia_B(1, 2, 3), L_W(10, 8, 20);  // about 12 rad/s
   const FreeTop top(inertia_B, kSomeTurn, L_W);
   const FreeTop later(inertia_B, top.q_WB(3600.0), L_W);
   EXPECT_LT(later.attitude_error(kSomeTurn, -3600.0), 2e-12);  // measured 6.0e-13
@@ -194,7 +194,7 @@ TEST(FreeTop, ComesToTurnAboutItsMiddleAxisOnTheSeparatrix) {
 }
 
 // L_B is a multiple of (1, 2, 2). Moments, orientation and momentum have some 50 binary digits each: only
-// products that are not rounded, not even to 50 decimal digits, show that the body is on the separatrix.
+// exact products, which need more than 50 decimal digits, show that the body is on the separatrix.
 TEST(FreeTop, SeesThatItIsOnTheSeparatrixWhateverTheDigits) {
   const double of_inertia = 0x1.3ff1722c566bp0, of_q = 0x1.4ab7a473d293p0, of_L = 0x1.cda0e546aaf7p0;
   const FreeTop top(of_inertia * Vector3(3, 6, 8), Quaternion(of_q, 2 * of_q, 2 * of_q, 4 * of_q),

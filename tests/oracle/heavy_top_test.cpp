@@ -10,7 +10,7 @@ namespace {
 
 constexpr HeavyTop kTop = {0.005, 0.008, 1.0, 0.05, 9.81};
 
-// Precessing steadily the angular momentum about the point held turns with the axis: Omega e_z x L is the
+// In steady precession the angular momentum about the fixed point turns with the axis: Omega e_z x L is the
 // torque.
 TEST(HeavyTop, TurnsItsMomentumByTheTorqueOfGravity) {
   for (const double tilt : {0.1, 0.5, 1.5, std::acos(0.0), 3.0}) {
