@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Puts the sources of each target together for clang-tidy, which takes longest over the headers that they share.
+"""Combines the sources of each target for clang-tidy, which spends most time on their shared headers.
 
   lint_batches.py COMPILE_COMMANDS DIRECTORY FOLDER...
 
-Writes DIRECTORY/compile_commands.json: sources below FOLDER... that can be compiled as one in a batch, others one by
-one. Names that several unnamed namespaces of a batch define are numbered by macros. A source that is compiled for both
-of Bullet's precisions is checked once.
+Writes DIRECTORY/compile_commands.json for the sources below FOLDER...: those that compile together in batches, the
+others one by one. Macros number the names that several unnamed namespaces of a batch define. A source that is compiled
+for both of Bullet's precisions is checked once.
 """
 import collections
 import concurrent.futures
@@ -20,13 +20,13 @@ BATCH_SIZE = 16
 
 
 def once_each(commands, folders):
-    """The last command of each source below one of the folders."""
+    """Returns the last command of each source below one of the folders."""
     once = {command["file"]: command for command in commands}
     return [command for file, command in once.items() if file.startswith(folders)]
 
 
 def by_target(commands):
-    """Commands of the same target and flags, those without "-o OUTPUT -c SOURCE"."""
+    """Groups commands by target and flags (the command without "-o OUTPUT -c SOURCE")."""
     targets = collections.defaultdict(list)
     for command in commands:
         flags, target = re.fullmatch(r"(.*) -o (\S+)\.dir/\S+ -c \S+", command["command"]).groups()
@@ -35,7 +35,7 @@ def by_target(commands):
 
 
 def batch(flags, members, names, path):
-    """The command of one source, written to `path`, that includes those of `members`. `names` get a number in each."""
+    """Writes a source to `path` that includes `members`, numbering `names` in each. Returns its command."""
     with open(path, "w") as source:
         for number, member in enumerate(members):
             source.writelines(f"#define {name} {name}{number}  // NOLINT\n" for name in sorted(names))
@@ -45,7 +45,7 @@ def batch(flags, members, names, path):
 
 
 def obstacles(command):
-    """The sources in which clang finds errors when a batch is compiled, and the names that they define again."""
+    """Returns the sources in which Clang finds errors when it compiles a batch, and the names that they redefine."""
     compiler = ["clang++", "-fsyntax-only", "-w", "-ferror-limit=0"] + shlex.split(command["command"])[1:]
     messages = subprocess.run(compiler, cwd=command["directory"], capture_output=True, text=True).stderr
     errors = re.findall(r"^(\S+?):\d+:\d+: (?:fatal )?error: (.*)", messages, re.MULTILINE)
@@ -54,7 +54,7 @@ def obstacles(command):
 
 
 def chunks_of(targets):
-    """Up to BATCH_SIZE sources of one target each, with their flags."""
+    """Yields flags and up to BATCH_SIZE sources of one target."""
     for (_, flags), members in targets.items():
         members.sort(key=lambda member: member["file"])
         chunk_count = -(-len(members) // BATCH_SIZE)
@@ -63,7 +63,7 @@ def chunks_of(targets):
 
 
 def commands_of(flags, members, path):
-    """One for all that can be compiled together, and one for each of the others."""
+    """Returns one command for all sources that compile together, and one for each of the others."""
     alone = []
     names = set()
     while len(members) > 1:
