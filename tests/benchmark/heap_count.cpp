@@ -13,7 +13,7 @@ polhode::benchmarks::HeapCount count;
 
 constexpr std::size_t kAlignment = alignof(std::max_align_t);
 
-// The size stands before what is handed out, at a distance that keeps the alignment.
+// Stores the size in front of the block, at a distance that preserves the alignment.
 std::size_t distance_of(std::size_t alignment) {
   return std::max(alignment, kAlignment);
 }
@@ -46,7 +46,7 @@ void release(void* memory) {
 
 }  // namespace
 
-// The other forms call these.
+// The other forms of new and delete call these.
 void* operator new(std::size_t size) {
   return allocate(size);
 }

@@ -26,7 +26,7 @@ btVector3 inertia_of(const SceneStart& start, const BoxStart& box) {
   return inertia_B;
 }
 
-/// Bodies that are all stepped once in a pass.
+/// A set of bodies; each pass steps every body once.
 class Kernel {
  public:
   Kernel() = default;
@@ -35,12 +35,12 @@ class Kernel {
   virtual ~Kernel() = default;
 
   virtual void restart() = 0;
-  /// `change` is what others did to omega_W, on each axis.
+  /// `change` is the external change of omega_W, on each axis.
   virtual void pass(double change) = 0;
 };
 
-/// No more than what a scheme stands in for: Bullet's step goes on to set up the inertia tensor and the poses
-/// that it interpolates by, with the library as without.
+/// Only the part of Bullet's step that a scheme replaces. Bullet also updates the inertia tensor and the
+/// interpolation poses, with or without the library.
 class BulletKernel final : public Kernel {
  public:
   explicit BulletKernel(const SceneStart& start) : start_(start) {
@@ -107,7 +107,7 @@ class SchemeKernel final : public Kernel {
   std::vector<RotationState> states_;
 };
 
-/// As a RotationWorld steps the bodies of a scheme of the library: in batches of eight.
+/// Steps the bodies in batches of eight, as a RotationWorld does for a scheme of the library.
 class WideKernel final : public Kernel {
  public:
   WideKernel(const WideScheme& scheme, const SceneStart& start)
@@ -148,8 +148,8 @@ class WideKernel final : public Kernel {
   std::vector<WideMemoryRow> memory_;
 };
 
-/// In ns per body and step. Every round begins afresh, since some schemes blow up; its first pass warms
-/// caches and memories and is not timed.
+/// Returns ns per body and step. Every round starts from the initial state, since some schemes diverge. Its
+/// first pass warms up caches and scheme memories and is not timed.
 double run_round(Kernel& kernel, double change) {
   kernel.restart();
   kernel.pass(-change);

@@ -9,12 +9,12 @@ namespace polhode::benchmarks {
 inline constexpr int kKernelRounds = 201;
 
 enum class KernelMotion {
-  free,    ///< what a scheme keeps in its memory stays good
-  set_up,  ///< a small change in every step, to and fro: whatever a scheme keeps has to be found anew
+  free,    ///< the scheme's memory stays valid
+  set_up,  ///< a small alternating change in every step invalidates the scheme's memory
 };
 
-/// Steps 1,024 bodies without any world: Bullet's implicit gyroscopic term and exponential map against the
-/// scheme, or against themselves if it is null.
+/// Steps 1,024 bodies without a world. Compares the scheme, or Bullet's code itself if `scheme` is null, with
+/// Bullet's implicit gyroscopic term and exponential map.
 void run_kernel_benchmark(benchmark::State& state, const SchemePointer& scheme, KernelMotion motion);
 
 }  // namespace polhode::benchmarks

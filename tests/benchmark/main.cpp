@@ -1,4 +1,4 @@
-// Measures what the library costs beside plain Bullet. Built once for each of Bullet's precisions.
+// Measures the library's cost relative to plain Bullet. Built once for each of Bullet's precisions.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -18,14 +18,14 @@ constexpr char kSummary[] = "--summary";
 
 void print_help() {
   polhode::demos::print(
-      "polhode_benchmark: what the library costs beside plain Bullet, measured in turns with it.\n"
-      "  [--summary]  measures what has a target and prints the targets and what was measured, for people;\n"
-      "               the exit code says nothing of whether they were met\n"
-      "The rest is Google Benchmark's; --benchmark_min_time has no effect, the rounds are fixed:\n\n");
+      "polhode_benchmark: measures the library's cost relative to plain Bullet.\n"
+      "  [--summary]  runs the benchmarks that have a target and prints a table of targets and results;\n"
+      "               the exit code does not depend on the results\n"
+      "Google Benchmark's options follow. --benchmark_min_time has no effect: the rounds are fixed.\n\n");
   benchmark::PrintDefaultHelp();
 }
 
-// Takes the option out, which Google Benchmark does not know.
+// Removes the option, which Google Benchmark does not know.
 bool take_summary(int& argument_count, char** arguments) {
   char** const end = arguments + argument_count;
   char** const kept = std::remove_if(
@@ -51,7 +51,8 @@ void work(int argument_count, char** arguments) {
   register_benchmarks();
   const std::size_t matched = summary ? run_summary() : benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
-  if (matched == 0) throw std::invalid_argument("--benchmark_list_tests lists the benchmarks there are");
+  if (matched == 0)
+    throw std::invalid_argument("no benchmark matches: --benchmark_list_tests lists all benchmarks");
 }
 
 }  // namespace

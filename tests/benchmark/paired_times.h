@@ -6,28 +6,28 @@
 
 namespace polhode::benchmarks {
 
-/// The names of the counters that a benchmark reports, here and in the JSON.
+/// Names of the counters that a benchmark reports, on the console and in JSON.
 namespace counters {
-inline constexpr char kRatio[] = "ratio";  ///< median over the rounds of Polhode's time by Bullet's
+inline constexpr char kRatio[] = "ratio";  ///< median over the rounds of Polhode's time divided by Bullet's
 inline constexpr char kRatioQuartile1[] = "ratio_q1";
 inline constexpr char kRatioQuartile3[] = "ratio_q3";
 inline constexpr char kPlainNs[] = "plain_ns";      ///< Bullet's median, ns per body and step
-inline constexpr char kPolhodeNs[] = "polhode_ns";  ///< the same with Polhode
-// Those of memory are not of a pile.
+inline constexpr char kPolhodeNs[] = "polhode_ns";  ///< Polhode's median, ns per body and step
+// The memory counters are not reported for piles.
 inline constexpr char kBytesPerBody[] = "bytes_per_body";
 inline constexpr char kPlainBytesPerBody[] = "plain_bytes_per_body";
 inline constexpr char kAllocationsPerStep[] = "allocations_per_step";
-inline constexpr char kDiverged[] = "diverged";  ///< incidents, in all worlds: bodies that turn no more
+inline constexpr char kDiverged[] = "diverged";  ///< incidents in all worlds, one per diverged body
 }  // namespace counters
 
-/// The value below which that fraction of the values lies, interpolated. Of at least one value.
+/// Returns a quantile of at least one value, linearly interpolated.
 double quantile(std::vector<double> values, double fraction);
 
-/// Times of two contenders, taken in turns: a slow spell of the machine meets both of a round, so that the
-/// ratio within a round says more than that of two medians.
+/// Times of two contenders, interleaved so that noise affects both equally. The ratio within a round is
+/// therefore more precise than the ratio of the two medians.
 class PairedTimes {
  public:
-  /// ns per body and step.
+  /// Takes ns per body and step.
   void add_round(double plain_ns, double polhode_ns);
   void report(benchmark::State& state) const;
 

@@ -16,8 +16,9 @@ struct Size {
   WorldRounds rounds;
 };
 
-// A round is 10 to 200 ms a side: long beside an interruption by the scheduler, short beside a slow spell. A
-// build ends before `matrix`, the first to do so, blows up: some 60 steps.
+// A round takes 10 to 200 ms per side: long compared with an interruption by the scheduler, short compared
+// with a slow phase of the machine. Each build runs for at most about 60 steps, after which `matrix` would be
+// the first scheme to diverge.
 constexpr Size kFreeSizes[] = {
     {100, {2, 3, 10, 3}},
     {1000, {24, 3, 15, 3}},

@@ -17,7 +17,8 @@ constexpr std::size_t kLayers = 5;
 constexpr int kSettlingSteps = 240;
 const btVector3 kPileHalfExtents(btScalar(0.5), btScalar(0.4), btScalar(0.3));
 
-/// Its own arithmetic instead of std's distributions, so that every standard library makes the same scene.
+/// Does its own arithmetic instead of using std's distributions, so that every standard library makes the
+/// same scene.
 class Random {
  public:
   btScalar between(double lowest, double highest) {
@@ -55,7 +56,7 @@ SceneStart stacked_pile(std::size_t count) {
   const btVector3 gap(btScalar(0.05), btScalar(0.05), btScalar(0.01));
   for (std::size_t i = 0; i < count; ++i) {
     const btVector3 place = cell(i, edge);
-    // Each box rests on up to four.
+    // Each box rests on up to four others.
     const btScalar stagger = static_cast<std::size_t>(place.z()) % 2 == 0 ? btScalar(0) : btScalar(0.25);
     const btVector3 cells(place.x() + stagger, place.y() + stagger, place.z() + btScalar(0.5));
     const btTransform pose(btQuaternion::getIdentity(), cells * (kPileHalfExtents * 2 + gap));
@@ -77,8 +78,8 @@ SceneStart settle(SceneStart start) {
 
 }  // namespace
 
-// Boxes of 10 to 30 cm: the margin of Bullet's broadphase holds them as they turn. With larger ones a step is
-// mostly spent in its tree, by both sides alike.
+// Boxes of 10 to 30 cm turn within the margin of Bullet's broadphase. With larger ones, updates of its tree
+// would dominate the step on both sides.
 SceneStart free_flight(std::size_t count) {
   Random random;
   SceneStart start;

@@ -6,7 +6,7 @@ namespace polhode::benchmarks {
 
 namespace {
 
-// Pools that hold the whole pile: else each world allocates now and then, as its contacts come and go.
+// Sizes the pools for the whole pile; otherwise the worlds would allocate at times when contacts appear.
 btDefaultCollisionConstructionInfo pools_for(std::size_t boxes) {
   btDefaultCollisionConstructionInfo info;
   const int contacts_at_most = 16 * static_cast<int>(boxes);
@@ -40,7 +40,7 @@ SceneWorld::SceneWorld(const SceneStart& start, RotatedBy rotated_by, const Sche
 }
 
 SceneWorld::~SceneWorld() {
-  // The world before its bodies, which it lets go of by itself: it would search for each of 100,000 by turns.
+  // Destroy the world before its bodies. Removing 100,000 bodies one by one would search the list each time.
   plugin_.reset();
   world_.reset();
 }

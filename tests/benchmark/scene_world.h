@@ -11,16 +11,16 @@
 namespace polhode::benchmarks {
 
 enum class RotatedBy {
-  bullet,           ///< a plain world, every flag as Bullet sets it
+  bullet,           ///< a plain world with Bullet's default flags
   rotation_world,   ///< polhode::RotationWorld
   rotation_plugin,  ///< a plain world with polhode::RotationPlugin attached
 };
 
-/// A scene in a world of its own, as an application would make it: every body has a motion state, and none
-/// sleeps, so that every step is of every body.
+/// A scene in its own world, set up as by an application. Every body has a motion state. No body sleeps, so
+/// that each step moves every body.
 class SceneWorld {
  public:
-  /// `scheme` is null for a plain world.
+  /// Null `scheme`: a plain world.
   SceneWorld(const SceneStart& start, RotatedBy rotated_by, const SchemePointer& scheme);
   ~SceneWorld();
   SceneWorld(const SceneWorld&) = delete;
@@ -28,12 +28,12 @@ class SceneWorld {
 
   void step() { world_->stepSimulation(kTimeStep, 0); }
 
-  /// A small torque impulse on every body, to and fro from call to call.
+  /// Applies a small torque impulse to every body, with alternating sign.
   void kick();
 
   btRigidBody& body(std::size_t index) { return *bodies_[index]; }
   std::size_t bodies() const { return bodies_.size(); }
-  /// 0 in a plain world.
+  /// Returns 0 for a plain world.
   std::uint64_t incidents() const { return rotation_ == nullptr ? 0 : rotation_->incidents(); }
 
  private:

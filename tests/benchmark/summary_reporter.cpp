@@ -37,7 +37,7 @@ std::string verdict(double measured, const std::optional<double>& at_most) {
   return measured <= *at_most ? "met" : "missed";
 }
 
-// Bullet counts 3.24 as 324.
+// btGetVersion() returns 324 for version 3.24.
 std::string bullet_version() {
   const int version = btGetVersion();
   return std::to_string(version / 100) + "." + std::to_string(version % 100);

@@ -9,10 +9,10 @@
 
 namespace polhode::benchmarks {
 
-/// Returns a line that says which builds are measured.
+/// Returns a line that describes the measured build.
 std::string build_text();
 
-/// Holds the benchmarks against the targets: a table when all have run, for people.
+/// Compares the results with the targets and prints a table after all benchmarks have run.
 class SummaryReporter final : public benchmark::BenchmarkReporter {
  public:
   explicit SummaryReporter(std::vector<Target> targets) : targets_(std::move(targets)) {}
@@ -25,7 +25,7 @@ class SummaryReporter final : public benchmark::BenchmarkReporter {
   std::vector<std::string> row(const Target& target) const;
 
   std::vector<Target> targets_;
-  std::map<std::string, benchmark::UserCounters> counters_of_;  ///< by the benchmark's name
+  std::map<std::string, benchmark::UserCounters> counters_of_;  ///< key: name of the benchmark
 };
 
 }  // namespace polhode::benchmarks

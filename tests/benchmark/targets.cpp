@@ -18,12 +18,12 @@ constexpr SizeLimit kFreeLimits[] = {
     {"100,000", "free/100000", 0.75},
 };
 
-// `exact`, and those of the exercise.
+// `exact` and the schemes of the exercise.
 constexpr const char* kSchemes[] = {"exact", "matrix", "quaternion", "semi_implicit_gyroscopic",
                                     "implicit_gyroscopic"};
 
 const char kEveryFreeWorld[] = "(world|plugin)/[a-z_0-9]+/(free|kicked)/[0-9]+";
-// A world's working space, some 30 KB, is no body's.
+// Only large worlds: a world's working space of about 30 KB would distort the memory per body.
 const char kLargeFreeWorld[] = "(world|plugin)/[a-z_0-9]+/(free|kicked)/[0-9]{5,}";
 
 }  // namespace
@@ -54,7 +54,7 @@ std::vector<Target> targets() {
 std::string benchmarks_of(const std::vector<Target>& targets) {
   std::string names;
   for (const Target& target : targets) {
-    // The others are counted by the way.
+    // The same benchmarks report the other counters.
     if (target.counter == counters::kRatio) names += (names.empty() ? "" : "|") + target.benchmark;
   }
   return "^(" + names + ")/iterations";

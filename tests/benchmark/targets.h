@@ -6,18 +6,17 @@
 
 namespace polhode::benchmarks {
 
-/// A row of the summary: what is measured and how little it should be.
+/// A row of the summary: a quantity and its largest allowed value.
 struct Target {
   std::string what;
-  std::string
-      benchmark;  ///< its name, or a regular expression for several, of which the greatest figure counts
+  std::string benchmark;  ///< name, or a regular expression for several, of which the largest value counts
   std::string counter;
-  std::optional<double> at_most;  ///< none: shown to say what the others are worth
+  std::optional<double> at_most;  ///< none: a control, which shows the uncertainty of the other rows
 };
 
 std::vector<Target> targets();
 
-/// The regular expression for the benchmarks that the targets need.
+/// Returns the regular expression for the benchmarks that the targets need.
 std::string benchmarks_of(const std::vector<Target>& targets);
 
 }  // namespace polhode::benchmarks

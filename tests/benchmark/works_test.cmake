@@ -1,5 +1,5 @@
-# Runs the benchmark on 100 bodies: it says nothing of speed, only that the program counts what it should and that its
-# JSON can be read. Needs -Dprogram=<executable>.
+# Runs the benchmark on 100 bodies. Checks the counters and that the JSON can be read, not speed. Needs
+# -Dprogram=<executable>.
 cmake_minimum_required(VERSION 3.19)
 
 set(filter "^((world|plugin)/exact/.*/100|control/.*/100|kernel/exact/(free|set_up))/iterations")
@@ -19,7 +19,7 @@ endfunction()
 
 string(JSON count LENGTH "${output}" benchmarks)
 if(NOT count EQUAL 7)
-  message(FATAL_ERROR "7 benchmarks were asked for, ${count} were run")
+  message(FATAL_ERROR "expected 7 benchmarks, ${count} were run")
 endif()
 math(EXPR last "${count} - 1")
 foreach(index RANGE ${last})
@@ -33,13 +33,13 @@ foreach(index RANGE ${last})
   if(name MATCHES "pile")
     continue()
   endif()
-  # A btRigidBody alone has more than 500 bytes, and comes from Bullet's own allocator.
+  # A btRigidBody takes more than 500 bytes, from Bullet's own allocator.
   expect_counter("${benchmark}" plain_bytes_per_body 500 1000000)
   expect_counter("${benchmark}" allocations_per_step 0 0)
   if(name MATCHES "^control")
     expect_counter("${benchmark}" bytes_per_body 0 0)
   else()
-    # The state of a body alone has 19 doubles, and comes from operator new.
+    # The state of a body takes 19 doubles, from operator new.
     expect_counter("${benchmark}" bytes_per_body 152 1000000)
   endif()
 endforeach()

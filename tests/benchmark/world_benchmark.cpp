@@ -9,7 +9,7 @@ namespace polhode::benchmarks {
 
 namespace {
 
-// One of the two worlds, and what was counted of it.
+// One of the two worlds and its counters.
 class Contender {
  public:
   Contender(RotatedBy rotated_by, SchemePointer scheme)
@@ -30,9 +30,9 @@ class Contender {
     allocations_ = 0;
   }
 
-  /// In ns per body and step.
+  /// Returns ns per body and step.
   double run_batch(int steps) {
-    // The other world has emptied the caches; what it costs to fill them again is not a step's own.
+    // An untimed step fills the caches again, which the other world has emptied.
     timed_step();
     double ns = 0.0;
     for (int i = 0; i < steps; ++i) ns += timed_step();
@@ -97,7 +97,7 @@ class Race {
   }
 
  private:
-  // In a pile the contacts come and go in each world at their own times, and Bullet's memory with them.
+  // Not for piles: contacts, and with them Bullet's memory, change at different times in the two worlds.
   void report_memory(benchmark::State& state) const {
     const auto plain_bytes = static_cast<double>(plain_.live_bytes());
     state.counters[counters::kPlainBytesPerBody] = plain_bytes / bodies();
@@ -117,7 +117,7 @@ class Race {
     (plain_first ? polhode_ : plain_).build(start_, options_);
   }
 
-  // Adds the allocations of the worlds that are about to be torn down.
+  // Adds the allocations of the present worlds before they are torn down.
   void count_allocations() { extra_allocations_ += polhode_.allocations() - plain_.allocations(); }
 
   const WorldBenchmark& options_;

@@ -8,8 +8,8 @@
 
 namespace polhode::benchmarks {
 
-/// The duration of the measurement of a pair of worlds. Worlds are built anew several times, because their
-/// place in memory is part of the noise and the schemes that blow up have to begin again before they do.
+/// How long a pair of worlds is measured. The worlds are built several times because their place in memory is
+/// part of the noise, and because some schemes would diverge in a longer run.
 struct WorldRounds {
   int builds;
   int rounds_per_build;
@@ -24,12 +24,11 @@ struct WorldBenchmark {
   SchemePointer scheme;
   std::function<SceneStart()> scene;
   WorldRounds rounds;
-  /// Before every step every body of both worlds gets a torque impulse. That is the application's doing, and
-  /// not timed on either side.
+  /// Applies a torque impulse to every body of both worlds before every step, outside the timed part.
   bool kicked = false;
 };
 
-/// Steps the plain world and Polhode's in turns, as many rounds as the state has iterations.
+/// Steps the plain world and Polhode's alternately, one round per iteration of `state`.
 void run_world_benchmark(benchmark::State& state, const WorldBenchmark& world_benchmark);
 
 }  // namespace polhode::benchmarks

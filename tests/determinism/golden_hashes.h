@@ -7,11 +7,11 @@
 #include "polhode/bullet/rotation_world.h"
 #include "support/precision.h"
 
-/// The hashes of the golden scene with the Bullet 3.24 of Debian 12 on x86-64. A change of the library that
-/// changes bits changes them: run `scripts/determinism` and write what it prints.
+/// Hashes of the golden scene with Bullet 3.24 of Debian 12 on x86-64. If a change of the library changes
+/// results, the hashes change too: run `scripts/determinism` and copy the printed hashes here.
 namespace polhode::testing {
 
-/// btDiscreteDynamicsWorldMt takes the contacts of a pile in another order than btDiscreteDynamicsWorld.
+/// btDiscreteDynamicsWorldMt solves the contacts of a pile in a different order than btDiscreteDynamicsWorld.
 struct GoldenHashes {
   std::uint64_t discrete;
   std::uint64_t discrete_mt;
@@ -19,8 +19,7 @@ struct GoldenHashes {
 
 inline constexpr GoldenHashes kGolden = kDoubleBullet ? GoldenHashes{0xedc9c0253e3f2eff, 0xbaf1c5a6fc531207}
                                                       : GoldenHashes{0x4f5e1bd6a8993f48, 0xc54d687581481f72};
-/// The hash of the scene without the library: another Bullet, or another C library below it, gives
-/// another hash.
+/// Hash of the scene without the library. Differs for another Bullet or C library.
 inline constexpr std::uint64_t kGoldenOfPlainBullet = kDoubleBullet ? 0x755ca5f801294089 : 0xc816e6281f1441be;
 
 template <class World>

@@ -9,14 +9,15 @@
 #include "support/motion.h"
 #include "support/scene.h"
 
-/// The scene whose state after 1,000 steps has the same bits in every build of the library. Its start is made
-/// of decimal constants and integers, with no function of the C library except the square root. Random numbers
-/// are drawn in statements of their own: compilers differ in the order of arguments.
+/// A scene whose state after 1,000 steps is bit-identical in every build of the library. The start is
+/// computed from decimal constants and integers, with the square root as the only function of the C library.
+/// Each random number is drawn in its own statement, because compilers evaluate arguments in different
+/// orders.
 namespace polhode::testing {
 
 inline constexpr int kGoldenSteps = 1000;
 
-/// Knuth's linear congruential generator of MMIX.
+/// Knuth's MMIX linear congruential generator.
 class MmixRandom {
  public:
   double uniform(double low, double high) {
@@ -36,7 +37,7 @@ class MmixRandom {
   std::uint64_t state_ = 1;
 };
 
-/// Kicks every fifth body in turn, and brakes some.
+/// Kicks and brakes every fifth body in turn.
 class GoldenKicks final : public btActionInterface {
  public:
   void updateAction(btCollisionWorld* world, btScalar /*dt*/) override {
@@ -54,7 +55,7 @@ class GoldenKicks final : public btActionInterface {
   int step_ = 0;
 };
 
-/// The golden scene in any Scene; `rotation` is null for plain Bullet.
+/// The golden scene in any Scene type; `rotation` is null for plain Bullet.
 template <class AnyScene>
 class GoldenScene {
  public:
@@ -71,7 +72,7 @@ class GoldenScene {
   GoldenScene(const GoldenScene&) = delete;
   GoldenScene& operator=(const GoldenScene&) = delete;
 
-  /// Returns the hash of the states at every hundredth step.
+  /// Returns a hash of the states at every hundredth step.
   std::uint64_t hash_after(int steps) {
     Fnv1a hash;
     for (int step = 1; step <= steps; ++step) {
@@ -85,7 +86,7 @@ class GoldenScene {
   }
 
  private:
-  static constexpr int kFreeBodies = 660;  // enough for several threads
+  static constexpr int kFreeBodies = 660;  // enough work for several threads
   static constexpr int kBoxes = 36;
 
   btRigidBody& add(const btVector3& inertia_B, const btQuaternion& q_WB, const btVector3& origin,
@@ -95,7 +96,8 @@ class GoldenScene {
     return body;
   }
 
-  // Bodies that never meet anything. Spins of all sizes, so that some schemes diverge and `matrix` swells.
+  // Bodies that never touch. Their spins cover all magnitudes, so that some schemes diverge and `matrix`
+  // swells.
   void add_free_bodies() {
     for (int i = 0; i < kFreeBodies; ++i) {
       const btVector3 inertia_B = random_.vector(0.5, 3);
@@ -116,11 +118,12 @@ class GoldenScene {
       btRigidBody& box = scene_.add_box(half_extents, btScalar(1.5), btTransform(random_.rotation(), origin));
       box.setGravity(vector(0, 0, -9.81));
       box.setAngularVelocity(random_.vector(-4, 4));
-      if (i % 6 == 0) box.forceActivationState(ACTIVE_TAG);  // it may fall asleep
+      if (i % 6 == 0) box.forceActivationState(ACTIVE_TAG);  // allow sleeping
     }
   }
 
-  // Rods mounted askew, at speeds that dt resolves and one that it does not; a motor between two bodies.
+  // Rods mounted askew, at speeds that dt resolves and one that dt does not resolve; a motor between two
+  // bodies.
   void add_hinges() {
     const btQuaternion askew = btQuaternion(btScalar(0.4), 0, 0, btScalar(0.9)).normalized();
     int place = 0;
@@ -137,7 +140,7 @@ class GoldenScene {
     motor.enableAngularMotor(true, 15, btScalar(0.2));
   }
 
-  // On a point joint, leaning, with its spin about its own axis.
+  // A tilted top on a point joint, spinning about its own axis.
   void add_top() {
     const btQuaternion leaning = btQuaternion(0, btScalar(0.25), 0, btScalar(0.97)).normalized();
     const btTransform tilt(leaning);
@@ -162,7 +165,7 @@ class GoldenScene {
     }
   }
 
-  // Every scheme for the free bodies and those of the pile; the default for joints.
+  // Uses every scheme for the free bodies and the pile, and the default scheme for joints.
   void choose_schemes() {
     if (rotation_ == nullptr) return;
     const auto& schemes = built_in_schemes();
@@ -180,7 +183,7 @@ class GoldenScene {
   }
 
   static void add(Fnv1a& hash, const btVector3& vector) {
-    hash.add_bytes(vector.m_floats, 3 * sizeof(btScalar));  // the fourth is padding
+    hash.add_bytes(vector.m_floats, 3 * sizeof(btScalar));  // the fourth component is padding
   }
 
   template <class Matrix>

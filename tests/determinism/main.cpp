@@ -1,6 +1,6 @@
-// Prints the hashes of the golden scene for each way in and number of threads: `golden_hash [THREADS...]`. The
-// last line is for scripts: the hash in btDiscreteDynamicsWorld, and that in btDiscreteDynamicsWorldMt. Exits
-// with 1 if one of the hashes is not the golden one.
+// Prints the hashes of the golden scene in a RotationWorld and under a RotationPlugin, for each number of
+// threads: `golden_hash [THREADS...]`. The last line is for scripts: the hash for btDiscreteDynamicsWorld and
+// the hash for btDiscreteDynamicsWorldMt. Exits with 1 if a hash differs from the golden one.
 #include <cinttypes>
 #include <cstdio>
 #include <cstdlib>
@@ -42,7 +42,7 @@ class Hashes {
 bool print_hashes(const std::vector<int>& thread_counts) {
   const std::uint64_t plain = hash_in_plain_bullet<btDiscreteDynamicsWorld>();
   print("plain Bullet", 1, plain);
-  if (plain != kGoldenOfPlainBullet) std::printf("Bullet or the C library is not Debian 12's\n");
+  if (plain != kGoldenOfPlainBullet) std::printf("Bullet or the C library differs from Debian 12's\n");
   Hashes discrete, discrete_mt;
   discrete.add("RotationPlugin", 1, hash_under_rotation_plugin<btDiscreteDynamicsWorld>());
   for (const int threads : thread_counts) {

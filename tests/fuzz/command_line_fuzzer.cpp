@@ -1,4 +1,4 @@
-// Parses command lines of the demos, an argument a line. One that is refused is refused by
+// Parses command lines of the demos, one argument per line. Rejected command lines must throw
 // std::invalid_argument.
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +18,8 @@ template <class Parser>
 void parse(std::string text, const Parser& parser) {
   std::vector<std::string> arguments = {"program"};
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) arguments.push_back(line.c_str());  // up to a 0
+  // up to the first NUL
+  for (std::string line; std::getline(lines, line);) arguments.push_back(line.c_str());
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);

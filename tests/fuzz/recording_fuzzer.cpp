@@ -1,5 +1,5 @@
-// Reads recordings of the viewer. A file that is refused is refused by ScenarioError or
-// std::invalid_argument. The start of one that is read is replayed.
+// Reads recordings of the viewer. Rejected files must throw ScenarioError or std::invalid_argument. Replays
+// the start of accepted recordings.
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +26,7 @@ void replay(const std::filesystem::path& file) {
     session.run_to(last);
   } catch (const ScenarioError&) {
   } catch (const std::invalid_argument&) {
-  } catch (const std::runtime_error&) {  // another step than was recorded
+  } catch (const std::runtime_error&) {  // the step differs from the recorded one
   }
 }
 

@@ -1,5 +1,5 @@
-// Reads scenario files. A file that is refused is refused by ScenarioError. One that is read is written and
-// read again as the same scenario, and a few steps of it can be run.
+// Reads scenario files. Rejected files must throw ScenarioError. An accepted scenario must be the same after
+// writing and reading it, and a few steps of it are run.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

@@ -1,8 +1,8 @@
-// Runs a sequence of what an application may do on worlds that the library rotates in both of its ways, and
-// checks after each step what the library promises.
+// Runs random sequences of application calls on worlds that the library rotates, as RotationWorld and by
+// RotationPlugin, and checks the library's guarantees after each step.
 //
-// The first byte of an input chooses what may be done: the less, the more is checked. POLHODE_FUZZ_TRACE=1 in
-// the environment prints the operations of an input.
+// The first byte of an input selects the allowed operations: fewer operations allow stricter checks. Set
+// POLHODE_FUZZ_TRACE=1 to print the operations of an input.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -37,8 +37,8 @@ Limits read_limits(Bytes& bytes) {
   return limits;
 }
 
-// The bounds of the determinism contract (docs/step.md): numbers that are not finite are set back to what
-// the library wrote last, which the two ways do at different moments. A RotationWorld cannot be detached.
+// The limits of the determinism contract (docs/step.md): non-finite numbers are reset to the library's last
+// values, which happens at different times with the two ways. A RotationWorld cannot be detached.
 bool is_within_contract(const Limits& limits) {
   return !limits.managed || (!limits.non_finite && !limits.detaching && !limits.continuous_collision &&
                              !limits.contact_callbacks);
@@ -83,7 +83,7 @@ void run(Bytes& bytes) {
       if (limits.managed && side->has_left_contract()) must_agree = false;
     }
     // A RotationWorld predicts poses in double, Bullet in its own precision: boxes that touch within rounding
-    // may be paired a step later.
+    // may become a pair one step later.
     for (const auto& side : sides) {
       if (side->pairs(operation.world) != sides.front()->pairs(operation.world)) must_agree = false;
     }

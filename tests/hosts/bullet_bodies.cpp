@@ -19,8 +19,8 @@ const std::vector<btRigidBody*>& added_bullet_bodies() {
   return bodies();
 }
 
-// The dynamic linker prefers the program's definition, also for the table of virtual functions in Bullet's library. That
-// is loaded with the plugin, for the plugin's eyes alone: its own definition is found by its name.
+// The dynamic linker prefers the program's definition, even in the virtual table in Bullet's library. The
+// plugin loads that library with local visibility, so Bullet's own definition is looked up by name.
 void btDiscreteDynamicsWorld::addRigidBody(btRigidBody* body) {
   using AddRigidBody = void (*)(btDiscreteDynamicsWorld*, btRigidBody*);
   static const auto bullets = [] {

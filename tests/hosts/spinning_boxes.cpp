@@ -1,5 +1,5 @@
-// Steps free spinning boxes by an engine of ignition-physics and prints how well each keeps energy, angular momentum
-// and orientation.
+// Steps free spinning boxes in an engine of ignition-physics and prints how well each box keeps energy,
+// angular momentum and orientation.
 //   spinning_boxes bullet|dart [DT [DURATION]]    seconds; default 1/1000, 60
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
@@ -49,11 +49,11 @@ struct Figures {
   double worst_attitude_error = 0.0;
 };
 
-// One box, its exact motion and how far the engine has strayed from it.
+// A box, its exact motion, and the engine's deviation from it.
 class Box {
  public:
-  /// `inertia_B` are the engine's own numbers, and the exact motion starts from what the engine reports: the rounding
-  /// of a single-precision engine's input is not held against it.
+  /// Takes the engine's own values of `inertia_B`, and starts the exact motion from the state that the engine
+  /// reports, so that the rounding of a single-precision engine's input does not count as an error.
   Box(const Vector3d& inertia_B, const ignition::physics::FrameData3d& start)
       : inertia_B_(inertia_B),
         exact_(inertia_B, start.pose.linear(), start.angularVelocity),
@@ -75,7 +75,7 @@ class Box {
     figures_.worst_attitude_error = std::max(figures_.worst_attitude_error, figures_.attitude_error);
   }
 
-  /// Past this an engine soon leaves the finite; DART ends the process by an assertion then.
+  /// Above this limit the numbers soon become non-finite; DART then ends the process with an assertion.
   bool has_blown_up() const { return !(figures_.energy_ratio < 100.0); }
 
   void print(const Arguments& arguments) const {
@@ -112,7 +112,7 @@ sdf::Root load(const std::string& file) {
   return root;
 }
 
-// The features that both engines have.
+// Features that both engines have.
 struct CommonFeatures
     : ignition::physics::FeatureList<
           ignition::physics::ConstructEmptyWorldFeature, ignition::physics::FindFreeGroupFeature,
@@ -122,7 +122,7 @@ struct CommonFeatures
 struct FeaturesWithVelocity
     : ignition::physics::FeatureList<CommonFeatures, ignition::physics::SetFreeGroupWorldVelocity> {};
 
-// An engine and what differs between the two: how a body is set spinning, and the numbers that the engine rounds.
+// The differences between the engines: how to set a body spinning, and the numbers that the engine rounds.
 template <class FeatureList>
 struct Engine {
   using Link = ignition::physics::Link3d<FeatureList>;
@@ -134,11 +134,12 @@ struct Engine {
   std::function<double(double dt_s)> time_step;
 };
 
-// The world holds one box, since a box that blows up ends its world.
+// The world holds a single box, since a box that diverges ends its world.
 template <class World, class FeatureList>
 void run_box(World& world, const Engine<FeatureList>& engine, const sdf::Model& description,
              const Arguments& arguments) {
-  sdf::Model model;  // its link is constructed apart: links cannot be asked for later, in Bullet's plugin
+  // Without its link, which is constructed separately: Bullet's plugin cannot look up links later.
+  sdf::Model model;
   model.SetName(description.Name());
   const sdf::Link& link_description = *description.LinkByIndex(0);
   const auto link = world.ConstructModel(model)->ConstructLink(link_description);

@@ -1,11 +1,11 @@
-# Makes targets of the thread-safe Bullet that scripts/multithreading builds, and hands them to the library by
+# Creates targets for the thread-safe Bullet built by scripts/thread_safe_bullet and passes them to the library in
 # POLHODE_BULLET_FLOAT32_TARGET and _FLOAT64_TARGET.
 set(THREAD_SAFE_BULLET "" CACHE PATH "Folder of Bullet's source and of its builds float32 and float64")
 set(THREAD_SAFE_BULLET_VARIANT "" CACHE STRING "Appended to the names of the builds")
 find_package(Threads REQUIRED)
 
-# Bullet's headers hold inline functions that lock where BT_THREADSAFE is 1 and do nothing where it is not. One program
-# must not have both: the linker would take either.
+# Bullet's headers define inline functions that lock if BT_THREADSAFE is 1 and do nothing otherwise. A program must not
+# mix the two: the linker would pick one at random.
 function(add_thread_safe_bullet bits suffix)
   set(target thread_safe_bullet_float${bits})
   set(build ${THREAD_SAFE_BULLET}/float${bits}${THREAD_SAFE_BULLET_VARIANT}/src)
@@ -16,7 +16,7 @@ function(add_thread_safe_bullet bits suffix)
     target_link_libraries(${target} INTERFACE ${build}/${library}/lib${library}${suffix}.a)
   endforeach()
   target_link_libraries(${target} INTERFACE Threads::Threads)
-  # In the cache: the first configuration would drop an ordinary variable when polhode makes its cache entry.
+  # In the cache: the first configuration would drop a normal variable when polhode creates its cache entry.
   set(POLHODE_BULLET_FLOAT${bits}_TARGET ${target} CACHE STRING "Bullet, thread-safe" FORCE)
 endfunction()
 

@@ -9,7 +9,7 @@
 
 namespace polhode::testing {
 
-/// A number in which every bit of what was added counts (FNV-1a, of 64 bits at a time).
+/// A hash of every bit added (FNV-1a on 64-bit words).
 class Digest {
  public:
   std::uint64_t value() const { return value_; }
@@ -44,7 +44,7 @@ class Digest {
   }
 
  private:
-  // Leaves out the fourth component, which Bullet leaves to chance. A float as a double keeps its bits apart.
+  // Skips the fourth component, which Bullet leaves undefined. Converting float to double is exact.
   void add(const btVector3& vector) {
     for (int axis = 0; axis < 3; ++axis) add(static_cast<double>(vector.m_floats[axis]));
   }

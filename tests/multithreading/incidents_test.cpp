@@ -1,4 +1,4 @@
-// Whatever thread a body is rotated in, its incidents are told where stepSimulation was called.
+// Incidents are reported in the thread that called stepSimulation, whatever thread rotates the body.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ TEST_P(IncidentsInMt, AreToldOnceForEachBodyAndKindInTheOrderOfTheBodies) {
     return std::make_tuple(a.step, a.body) < std::make_tuple(b.step, b.body);
   };
   EXPECT_TRUE(std::is_sorted(result.incidents.begin(), result.incidents.end(), earlier));
-  // Otherwise there would be nothing to put in order.
+  // Enough incidents for the order to matter.
   EXPECT_GE(count(result, IncidentKind::non_finite_body), 5u);    // measured 5
   EXPECT_GE(count(result, IncidentKind::scheme_diverged), 100u);  // measured 224
 }

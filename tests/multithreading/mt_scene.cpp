@@ -10,7 +10,7 @@ namespace polhode::testing {
 
 namespace {
 
-// As many as there are threads at most: with fewer they would wait for each other, spinning.
+// One per thread for the largest number of threads; with fewer, threads would spin while waiting for a solver.
 constexpr int kSolvers = 8;
 
 std::unique_ptr<btCollisionDispatcher> make_dispatcher(BulletParts parts,

@@ -14,8 +14,7 @@ namespace polhode::testing {
 
 enum class Way { plain_bullet, rotation_world, rotation_plugin };
 
-/// Selects the multi-threaded parts of Bullet that a scene has, beside the world's loops and a solver for
-/// each island.
+/// Selects the multithreaded parts of Bullet, in addition to the world's loops and one solver per island.
 struct BulletParts {
   bool parallel_narrowphase;  ///< btCollisionDispatcherMt
   bool parallel_solver;       ///< btSequentialImpulseConstraintSolverMt for large islands
@@ -24,7 +23,7 @@ struct BulletParts {
 std::string to_string(Way way);
 std::string to_string(BulletParts parts);
 
-/// A btDiscreteDynamicsWorldMt with the bodies in it. Bullet wants the scheduler to be set before.
+/// A btDiscreteDynamicsWorldMt with bodies. Bullet needs the scheduler to be set first.
 class MtScene {
  public:
   MtScene(Way way, BulletParts parts);
@@ -39,13 +38,12 @@ class MtScene {
   btDiscreteDynamicsWorldMt& world() { return *world_; }
   const std::vector<std::unique_ptr<btRigidBody>>& bodies() const { return bodies_; }
   bool is_rotated() const { return rotation_ != nullptr; }
-  /// Returns the control; plain_bullet has none.
+  /// Returns the control, which plain_bullet does not have.
   RotationControl& rotation() const { return *rotation_; }
 
   void step(btScalar dt);
 
-  /// A number in which every bit of every body counts: what Bullet and, if it manages the body, the library
-  /// say of it.
+  /// Returns a hash of every bit of all bodies: Bullet's data and, for managed bodies, the library's.
   std::uint64_t digest() const;
 
  private:

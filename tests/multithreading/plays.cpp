@@ -15,8 +15,8 @@ constexpr int kPiles = 16;
 constexpr int kBoxesInPile = 33;
 constexpr int kStepOfNan = 10;
 
-// The numbers of steps between bodies of a kind have no factor in common with each other or with the number
-// of schemes, 11: so every scheme meets everything.
+// The periods are coprime with each other and with the number of schemes, 11, so that every combination
+// occurs with every scheme.
 bool is_kicked(int body) {
   return body % 7 == 3;
 }

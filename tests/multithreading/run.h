@@ -13,7 +13,7 @@ namespace polhode::testing {
 
 inline constexpr int kSteps = POLHODE_MULTITHREADING_STEPS;
 
-/// An incident as the handler was told of it.
+/// An incident as passed to the handler.
 struct ToldIncident {
   int step;
   IncidentKind kind;
@@ -32,10 +32,10 @@ struct Outcome {
   std::vector<ToldIncident> incidents;
   std::set<std::thread::id> threads_of_handler;
   std::uint64_t counted_incidents = 0;
-  int contacts_at_end = 0;  ///< pairs of bodies that touch, or nearly
+  int contacts_at_end = 0;  ///< touching or nearly touching pairs of bodies
 };
 
-/// A simulation: bodies, and what happens to them before each step.
+/// A simulation: its bodies, and the application's changes before each step.
 struct Play {
   void (*set_up)(MtScene& scene);
   void (*act)(MtScene& scene, int step);
@@ -43,7 +43,7 @@ struct Play {
   int steps;
 };
 
-/// The play under one scheduler. The incident handler takes every other body that diverges to `exact`.
+/// Runs the play with one scheduler. The incident handler sets `exact` for every other diverged body.
 Outcome run(const Play& play, Way way, BulletParts parts, const SchedulerChoice& scheduler);
 
 /// Returns the first step that differs, counted from 1; 0 if there is none.

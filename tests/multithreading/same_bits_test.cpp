@@ -1,4 +1,4 @@
-// The results are the same bits for any number of threads.
+// Results are bit-identical for any number of threads.
 #include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolverMt.h>
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@ namespace {
 constexpr int kContactsOfPiles = 200;
 constexpr int kContactsOfLargeIsland = 20;
 
-// From how many contacts on Bullet's parallel solver takes an island apart into batches: 250 by default, more
-// than a pile has.
+// Sets the number of contacts above which Bullet's parallel solver splits an island into batches. The
+// default, 250, is more than a pile has.
 class LargeIslandsFrom {
  public:
   explicit LargeIslandsFrom(int contacts) : before_(limit()) { limit() = contacts; }
@@ -44,13 +44,13 @@ std::string way_name(const ::testing::TestParamInfo<Way>& info) {
 INSTANTIATE_TEST_SUITE_P(SameBits, BothWaysInMt, ::testing::Values(Way::rotation_world, Way::rotation_plugin),
                          way_name);
 
-// Without contacts all of Bullet's parallel parts may be on.
+// Without contacts, all of Bullet's parallel parts can be used.
 TEST_P(BothWaysInMt, FreeBodiesForAnyNumberOfThreads) {
   expect_the_same_for_all_schedulers(free_bodies(), GetParam(), {true, true});
 }
 
-// With contacts Bullet gives the same bits only where the narrowphase is sequential: btCollisionDispatcherMt
-// lists the contacts thread by thread, and the solver takes them in the order of the list.
+// With contacts, Bullet's results are reproducible only with the sequential narrowphase:
+// btCollisionDispatcherMt lists the contacts thread by thread, and the solver takes them in that order.
 TEST_P(BothWaysInMt, PilesWithASolverForEachIsland) {
   expect_the_same_for_all_schedulers(piles(), GetParam(), {false, false});
 }
@@ -67,7 +67,7 @@ TEST_P(BothWaysInMt, PilesWithTheParallelNarrowphaseRunToTheirEnd) {
   EXPECT_GE(outcome.contacts_at_end, kContactsOfPiles);
 }
 
-// Checks what the tests of piles assume of plain Bullet.
+// Checks what the tests of piles assume about plain Bullet.
 class PlainBullet : public ::testing::TestWithParam<BulletParts> {};
 
 TEST_P(PlainBullet, GivesTheSameBitsOfPilesIfTheNarrowphaseIsSequential) {

@@ -13,14 +13,14 @@ std::shared_ptr<btITaskScheduler> make_pool() {
   return std::make_shared<ThreadPoolScheduler>(threads);
 }
 
-// Owned by Bullet.
+// Bullet owns the scheduler.
 std::shared_ptr<btITaskScheduler> bullets_sequential() {
   return {btGetSequentialTaskScheduler(), [](btITaskScheduler*) {}};
 }
 
 std::shared_ptr<btITaskScheduler> bullets_default() {
   std::shared_ptr<btITaskScheduler> scheduler(btCreateDefaultTaskScheduler());
-  if (scheduler == nullptr) throw std::logic_error("the Bullet that is linked was not built thread-safe");
+  if (scheduler == nullptr) throw std::logic_error("the linked Bullet was not built thread-safe");
   scheduler->setNumThreads(scheduler->getMaxNumThreads());
   return scheduler;
 }

@@ -8,8 +8,8 @@
 
 namespace polhode::testing {
 
-/// Sets the scheduler that btParallelFor runs on while this object lives. At most one exists at a time, made
-/// in the main thread.
+/// Sets the scheduler of btParallelFor during the lifetime of this object. Create at most one at a time, in
+/// the main thread.
 class ActiveScheduler {
  public:
   explicit ActiveScheduler(std::shared_ptr<btITaskScheduler> scheduler) : scheduler_(std::move(scheduler)) {
@@ -28,10 +28,11 @@ struct SchedulerChoice {
   std::shared_ptr<btITaskScheduler> (*make)();
 };
 
-/// Returns the scheduler of one thread, with which all others are compared.
+/// Returns the single-threaded scheduler, the reference for all others.
 const SchedulerChoice& one_thread();
 const SchedulerChoice& four_threads();
-/// 2, 3, 4 and 8 threads, Bullet's sequential scheduler, and its default one with as many threads as it has.
+/// Returns schedulers with 2, 3, 4 and 8 threads, Bullet's sequential scheduler, and Bullet's default one
+/// with its default number of threads.
 const std::vector<SchedulerChoice>& other_schedulers();
 
 }  // namespace polhode::testing

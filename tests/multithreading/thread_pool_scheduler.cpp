@@ -37,7 +37,7 @@ void ThreadPoolScheduler::parallelFor(int begin, int end, int grain, const btIPa
   if (!done) body.forLoop(begin, end);
 }
 
-// Adds in the order of the chunks, so that a sum does not depend on the threads.
+// Adds the chunks in order, so that the sum does not depend on the threads.
 btScalar ThreadPoolScheduler::parallelSum(int begin, int end, int grain, const btIParallelSumBody& body) {
   std::vector<btScalar> sums(static_cast<std::size_t>(std::max(chunk_count(begin, end, grain), 0)));
   const auto add_chunk = [&](int chunk) {
@@ -50,7 +50,7 @@ btScalar ThreadPoolScheduler::parallelSum(int begin, int end, int grain, const b
   return std::accumulate(sums.begin(), sums.end(), btScalar(0));
 }
 
-// Returns whether the chunks were run.
+// Returns true if the chunks were run.
 bool ThreadPoolScheduler::run(int chunks, const Chunk& chunk) {
   if (chunks <= 0) return true;
   if (in_loop || !one_loop_.try_lock()) return false;

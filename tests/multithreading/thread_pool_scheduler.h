@@ -11,9 +11,9 @@
 
 namespace polhode::testing {
 
-/// A scheduler of any number of threads, the caller's among them. Bullet's own has at most as many as the
-/// machine has processors. Every thread gets its share of each loop, however slow it is, and another share in
-/// the next loop, so that any dependence on which thread runs which part, or when, shows.
+/// A scheduler with any number of threads, including the calling one; Bullet's own has at most one thread per
+/// processor. Every thread runs its share of each loop, however slow the thread is, and a different share in
+/// the next loop. This exposes any dependence on which thread runs which part, or when.
 class ThreadPoolScheduler final : public btITaskScheduler {
  public:
   explicit ThreadPoolScheduler(int threads);
@@ -35,8 +35,8 @@ class ThreadPoolScheduler final : public btITaskScheduler {
   void work(int thread);
 
   const int threads_;
-  std::mutex one_loop_;  // a loop within a loop, or in another thread, is run by its caller alone
-  std::mutex mutex_;     // of all below
+  std::mutex one_loop_;  // held by a loop; nested and concurrent loops run in their callers
+  std::mutex mutex_;     // protects the members below
   std::condition_variable changed_;
   std::uint64_t loop_ = 0;
   int chunks_ = 0;

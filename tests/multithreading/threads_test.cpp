@@ -19,11 +19,11 @@ namespace {
 constexpr int kBodies = 2000;
 constexpr int kRecordedSteps = 10;
 
-// Turns as `exact` does, and keeps in which threads.
+// Rotates like `exact` and records the threads used.
 class ThreadRecorder final : public RotationScheme {
  public:
   SchemeDescription description() const noexcept override {
-    return {"thread_recorder", "exact, and keeps in which threads", "this test", "never"};
+    return {"thread_recorder", "exact, and records the threads", "this test", "never"};
   }
   void step(const StepInput& input, RotationState& state) const noexcept override {
     exact_->step(input, state);
@@ -81,7 +81,8 @@ TEST_P(LoopsInMt, StayInTheThreadOfTheCallerUnderBulletsSequentialScheduler) {
 INSTANTIATE_TEST_SUITE_P(Threads, LoopsInMt, ::testing::Values(Way::rotation_world, Way::rotation_plugin),
                          [](const auto& parameter) { return to_string(parameter.param); });
 
-// An application may link a thread-safe Bullet and set no scheduler: btParallelFor then has none to call.
+// An application may link a thread-safe Bullet without setting a scheduler: btParallelFor then has no
+// scheduler to call.
 TEST(LoopsWithoutAScheduler, StayInTheThreadOfTheCaller) {
   ASSERT_EQ(btGetTaskScheduler(), nullptr);
   btDefaultCollisionConfiguration configuration;

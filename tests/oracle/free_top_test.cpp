@@ -90,7 +90,7 @@ void expect_same_motion(const FreeTop& top, TaylorTop& reference, double t_s, do
   const Quaternion q_WB = reference.q_WB();
   EXPECT_NEAR(top.attitude_error(q_WB, t_s), reference.attitude_error(q_WB), 1e-31)
       << t_s;                                                                // measured 2.5e-32
-  EXPECT_LT((top.q_WB(t_s).coeffs() - q_WB.coeffs()).norm(), 2e-16) << t_s;  // measured 4e-51; includes the sign
+  EXPECT_LT((top.q_WB(t_s).coeffs() - q_WB.coeffs()).norm(), 2e-16) << t_s;  // measured 4e-51, with the sign
   EXPECT_LE((top.L_B(t_s) - reference.L_B()).norm(), 2e-16 * L) << t_s;      // measured 2e-51
 }
 

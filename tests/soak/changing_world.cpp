@@ -16,22 +16,22 @@ namespace polhode::testing {
 namespace {
 
 constexpr std::size_t kBodies = 1000;
-constexpr std::size_t kWatched = 200;           // the first: free, `exact`, left alone
-constexpr std::size_t kPiled = 100;             // the last: two and two on platforms
+constexpr std::size_t kWatched = 200;           // the first bodies: free, `exact`, never changed
+constexpr std::size_t kPiled = 100;             // the last bodies: in pairs on platforms
 constexpr std::uint64_t kReattachEvery = 2000;  // steps
-// Containers grow with the most that they ever held.
+// Containers keep the capacity of their largest size.
 constexpr std::int64_t kHeapSlack = 64 * 1024;  // bytes; measured 20 KiB
 
-// Those that keep going for any time at these spins: the others diverge in the end, which is an incident.
+// Schemes that never diverge at these spins.
 constexpr const char* kSchemes[] = {"exact",          "quaternion",        "implicit_gyroscopic", "bullet",
                                     "axis_splitting", "implicit_midpoint", "moser_veselov",       "rk4"};
 
-/// A place in the world, the body that is there now, and what the library should say of it.
+/// A place in the world, its present body, and the data that the library should report about the body.
 struct Place {
   std::unique_ptr<btRigidBody> body;
   bool is_released = false;
   std::string scheme;
-  std::uint64_t steps = 0;  ///< since its scheme was chosen or the plugin attached
+  std::uint64_t steps = 0;  ///< since the scheme was set or the plugin attached
   std::optional<WatchedBody> watched;
 };
 
@@ -95,13 +95,13 @@ class ChangingWorld {
     if (piled) body.setGravity(vector(0, 0, -9.81));
     body.setAngularVelocity(piled ? vector(0, 0, 0) : omega_W);
     place.is_released = false;
-    place.scheme = "exact";  // the default
+    place.scheme = "exact";  // the default scheme
     place.steps = 0;
   }
 
   void replace(std::size_t i) {
     scene_.world().removeRigidBody(places_[i].body.get());
-    if (chance(0.5)) places_[i].body.reset();  // the new one may get the address
+    if (chance(0.5)) places_[i].body.reset();  // the new body may get the address of the old one
     put_body_in(i);
   }
 
@@ -138,13 +138,13 @@ class ChangingWorld {
     } else if (what < 5) {
       use_default(i);
     } else {
-      // Holds back a spin that kicks have made faster than all schemes take.
+      // Halves a spin that kicks have made too fast for some schemes.
       places_[i].body->setAngularVelocity(places_[i].body->getAngularVelocity() * btScalar(0.5));
       places_[i].body->applyTorqueImpulse(random_vector(-0.5, 0.5));
     }
   }
 
-  // Detaches for a few steps, or none, in which bodies come and go too.
+  // Detaches the plugin for a few steps, or none, during which bodies come and go.
   void reattach() {
     plugin_.detach();
     run_.require(plugin_.rotation().managed_bodies() == 0, 0, "managed bodies while detached");

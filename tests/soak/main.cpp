@@ -1,5 +1,5 @@
-// Steps worlds for a long time, and watches that nothing grows or drifts: `polhode_soak STEPS`, the steps of a
-// small world; one of 1,000 bodies that come and go takes a tenth of them. Exits with 1 on a violation.
+// Steps worlds for a long time and checks that nothing grows or drifts: `polhode_soak STEPS`. A small world
+// takes STEPS steps; a world of 1,000 changing bodies takes a tenth of them. Exits with 1 on a violation.
 #include <cstdio>
 #include <cstdlib>
 
@@ -7,10 +7,10 @@
 #include "soak/soak_run.h"
 
 int main(int argument_count, char** arguments) {
-  // Divides into checkpoints without rest.
+  // Rounded down, so that checkpoints divide the steps evenly.
   const long long steps = argument_count == 2 ? std::atoll(arguments[1]) / 1000 * 1000 : 0;
   if (steps < 1000) {
-    std::fprintf(stderr, "polhode_soak: give the number of steps, at least 1000\n");
+    std::fprintf(stderr, "polhode_soak: expected one argument: the number of steps, at least 1000\n");
     return 2;
   }
   polhode::benchmarks::count_heap_of_bullet();

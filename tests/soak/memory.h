@@ -5,8 +5,8 @@
 namespace polhode::testing {
 
 struct Memory {
-  std::int64_t heap_bytes;      ///< live, of operator new and of Bullet, as they were asked for
-  std::int64_t resident_bytes;  ///< of the process; 0 where /proc does not tell
+  std::int64_t heap_bytes;      ///< live bytes from operator new and Bullet, as requested
+  std::int64_t resident_bytes;  ///< resident memory of the process; 0 if /proc is not available
 };
 
 Memory memory_now();

@@ -15,13 +15,13 @@ constexpr int kFreeBodies = 8;
 }  // namespace
 
 bool soak_small_world(std::int64_t steps) {
-  SoakRun run("small world", steps, 0);  // its heap keeps its size to the byte
+  SoakRun run("small world", steps, 0);  // the heap must keep its size to the byte
   Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
   RotationControl& rotation = scene.world().rotation();
   for (int i = 0; i < kFreeBodies; ++i) {
     scene.add_free(vector(1, 1.5 + 0.1 * i, 2.2), vector(0.3 + i, 2, 0.1 - 0.2 * i));
   }
-  // Two boxes on a platform and a rod on a hinge.
+  // Two boxes on a platform, and a rod on a hinge.
   scene.add(0, vector(0, 0, 0), btTransform(btQuaternion::getIdentity(), vector(0, 50, 0)),
             scene.box(vector(5, 5, 1)));
   for (const double height : {1.5, 2.6}) {

@@ -8,10 +8,10 @@ namespace polhode::testing {
 
 namespace {
 
-// Relative, of bodies under `exact`.
+// Relative; for bodies with `exact`.
 constexpr double kEnergyBound = 2e-14;       // measured 2.1e-15
-constexpr double kAngularMomentumBound = 0;  // kept to the last bit
-// Above what the run had at a tenth of its steps.
+constexpr double kAngularMomentumBound = 0;  // constant to the last bit
+// Allowed growth since a tenth of the run.
 constexpr std::int64_t kResidentSlack = 4 * 1024 * 1024;  // measured 0.7 MiB
 constexpr std::int64_t kPrintedViolations = 10;
 

@@ -7,7 +7,7 @@
 
 namespace polhode::testing {
 
-/// A free body that nobody touches, with the energy and angular momentum that it must keep.
+/// A free body that the application never changes, with its initial energy and angular momentum.
 class WatchedBody {
  public:
   explicit WatchedBody(const BodyRotation& start) : energy_(start.energy_J), L_W_(start.state.L_W) {}
@@ -15,7 +15,7 @@ class WatchedBody {
   void add_drift(const BodyRotation& now, Drift& drift) const {
     const double energy = std::abs(now.energy_J / energy_ - 1);
     const double momentum = (now.state.L_W - L_W_).norm() / L_W_.norm();
-    // A NaN would be lost in std::max.
+    // std::max would lose a NaN.
     drift.energy = energy <= drift.energy ? drift.energy : energy;
     drift.angular_momentum = momentum <= drift.angular_momentum ? drift.angular_momentum : momentum;
   }

@@ -8,7 +8,8 @@
 #include "polhode/bullet/rotation_world.h"
 #include "support/scene.h"
 
-/// The two ways in, for suites whose tests run once for each: TYPED_TEST_SUITE(Suite, BothWays, WayName).
+/// The two ways to use the library, for test suites that run with both: TYPED_TEST_SUITE(Suite, BothWays,
+/// WayName).
 namespace polhode::testing {
 
 /// A scene in a RotationWorld.
@@ -17,7 +18,7 @@ class InRotationWorld : public Scene<RotationWorld<btDiscreteDynamicsWorld>> {
   static constexpr const char* kName = "InRotationWorld";
 
   RotationControl& rotation() { return world().rotation(); }
-  /// Bullet rotates the body again.
+  /// Hands the body back to Bullet.
   void let_go(btRigidBody& body) { world().removeRigidBody(&body); }
   void take_back(btRigidBody& body) { world().addRigidBody(&body); }
 };

@@ -12,8 +12,8 @@
 #include "support/scene.h"
 #include "support/uniform.h"
 
-/// Bodies that something holds, pushes or pulls: joints, locked axes, contacts, springs. Each builder takes
-/// any scene, with or without the library; z is up.
+/// Scenes with joints, locked axes, contacts and springs. Each builder takes any scene, with or without the
+/// library; z is up.
 namespace polhode::testing {
 
 constexpr double kGravity = 9.81;
@@ -23,7 +23,7 @@ void set_gravity(AnyScene& scene) {
   scene.world().setGravity(vector(0, 0, -kGravity));
 }
 
-/// Kinetic and potential energy of a body, from the velocity that Bullet shows; J.
+/// Returns kinetic and potential energy of a body from Bullet's velocity, J.
 inline double energy_of(const btRigidBody& body, double gravity = 0) {
   const Vector3 inertia_B = to_double(body.getInvInertiaDiagLocal()).cwiseInverse();
   const Vector3 omega_B = basis_of(body).transpose() * omega_of(body);
@@ -33,7 +33,7 @@ inline double energy_of(const btRigidBody& body, double gravity = 0) {
          mass * gravity * static_cast<double>(body.getWorldTransform().getOrigin().z());
 }
 
-/// The angular momentum of the velocity that Bullet shows, about the body's own centre.
+/// Returns the angular momentum about the centre of mass from Bullet's velocity.
 inline Vector3 shown_angular_momentum_W(const btRigidBody& body) {
   const Vector3 inertia_B = to_double(body.getInvInertiaDiagLocal()).cwiseInverse();
   return basis_of(body) * inertia_B.cwiseProduct(basis_of(body).transpose() * omega_of(body));
@@ -43,7 +43,7 @@ inline double angle_between_axes(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-/// The lowest and highest of a quantity that is watched over a run, and its last value.
+/// Minimum, maximum and last value of a quantity over a run.
 struct Range {
   double lowest = 1e300;
   double highest = -1e300;
@@ -56,13 +56,13 @@ struct Range {
   }
 };
 
-/// A body on a hinge along the world's z through its centre.
+/// A body on a hinge along the world's z axis through its centre.
 struct HingedBody {
   btRigidBody& body;
   btHingeConstraint& hinge;
   Vector3 axis_B;
 
-  /// Returns the angle between its axis and the hinge's, rad.
+  /// Returns the angle between the body's axis and the hinge axis, rad.
   double axis_off() const { return angle_between_axes(basis_of(body) * axis_B, Vector3::UnitZ()); }
 };
 
@@ -76,14 +76,14 @@ HingedBody add_hinged(AnyScene& scene, const btVector3& inertia_B, const btQuate
   return {body, hinge, to_double(axis_B)};
 }
 
-/// A rod mounted askew: its axis leans by `tilt` from the axis across it that it would turn about by itself.
+/// Adds a rod mounted askew: the hinge axis is tilted by `tilt` from a principal axis across the rod.
 template <class AnyScene>
 HingedBody add_hinged_rod(AnyScene& scene, double speed, double tilt = M_PI / 4) {
   return add_hinged(scene, vector(1, 0.1, 1), btQuaternion(btVector3(1, 0, 0), btScalar(tilt)),
                     vector(0, 0, speed));
 }
 
-/// Two parts that are one body: `misalignment()` is what has become of their relative orientation; rad.
+/// Two bodies welded together.
 struct WeldedPair {
   btRigidBody& a;
   btRigidBody& b;
@@ -92,7 +92,7 @@ struct WeldedPair {
   double misalignment() const { return angle_between(Matrix3(basis_of(a).transpose() * basis_of(b)), R_AB); }
 };
 
-/// A metre apart, with their axes askew, turning about the world's y.
+/// Two bodies a metre apart, with their axes askew, that rotate together about the world's y axis.
 template <class AnyScene>
 WeldedPair add_welded_pair(AnyScene& scene, double speed) {
   const btVector3 omega_W = vector(0, speed, 0);
@@ -138,7 +138,7 @@ Top add_top(AnyScene& scene, double spin) {
   return {body, oracle::slow_precession(top, Top::kTilt, spin)};
 }
 
-/// A wheel on a free hub, spinning about the x that they share; together they keep their angular momentum.
+/// A wheel on a free hub, spinning about their common x axis. Their total angular momentum is constant.
 struct Gimbal {
   btRigidBody& hub;
   btRigidBody& wheel;
@@ -168,7 +168,7 @@ Gimbal add_gimbal(AnyScene& scene, double spin) {
   return {hub, wheel};
 }
 
-/// A body that does not turn about some of the world's axes: those whose factor is 0.
+/// Adds a body that cannot turn about those world axes whose factor is 0.
 template <class AnyScene>
 btRigidBody& add_locked(AnyScene& scene, const btVector3& angular_factor, const btVector3& omega_W) {
   btRigidBody& body =
@@ -178,7 +178,7 @@ btRigidBody& add_locked(AnyScene& scene, const btVector3& angular_factor, const 
   return body;
 }
 
-/// Boxes on one another; the first body is the floor.
+/// A stack of boxes; the first body is the floor.
 template <class AnyScene>
 void add_stack(AnyScene& scene, int count, const btVector3& half_extents = vector(0.5, 0.4, 0.3)) {
   set_gravity(scene);
@@ -189,10 +189,10 @@ void add_stack(AnyScene& scene, int count, const btVector3& half_extents = vecto
   }
 }
 
-/// The distance of a stack from where it was put.
+/// The displacement of a stack from its initial place.
 struct StackWander {
-  double lean = 0;    ///< rad, the worst box
-  double wander = 0;  ///< m, sideways, the worst box
+  double lean = 0;    ///< rad, of the worst box
+  double wander = 0;  ///< m, horizontally, of the worst box
 };
 
 template <class AnyScene>
@@ -223,7 +223,7 @@ btRigidBody& add_coin(AnyScene& scene) {
   return coin;
 }
 
-/// A solid ellipsoid with the half axes 0.5, 0.4 and 0.25 m, about to roll on a rough floor.
+/// A solid ellipsoid with semi-axes 0.5, 0.4 and 0.25 m, about to roll on a rough floor.
 template <class AnyScene>
 btRigidBody& add_ellipsoid(AnyScene& scene) {
   set_gravity(scene);
@@ -246,7 +246,7 @@ btRigidBody& add_ellipsoid(AnyScene& scene) {
   return body;
 }
 
-/// Boxes in a row, hung from the world by point joints, all turning.
+/// A chain of boxes, hung from the world by point joints, all turning.
 template <class AnyScene>
 void add_chain(AnyScene& scene, int count) {
   set_gravity(scene);
@@ -265,7 +265,7 @@ void add_chain(AnyScene& scene, int count) {
   }
 }
 
-/// Eight boxes of random shape that fall, spinning, onto one another; the first body is the floor.
+/// Eight boxes of random shape that fall, spinning, onto each other; the first body is the floor.
 template <class AnyScene>
 void add_random_drop(AnyScene& scene, double spin, std::mt19937& random) {
   const auto uniform = [&](double low, double high) { return testing::uniform(random, low, high); };
@@ -287,7 +287,7 @@ void add_random_drop(AnyScene& scene, double spin, std::mt19937& random) {
   }
 }
 
-/// Returns the kinetic and potential energy of all bodies that move.
+/// Returns the kinetic and potential energy of all movable bodies.
 template <class AnyScene>
 double total_energy(const AnyScene& scene, double gravity = 0) {
   double sum = 0;

@@ -11,7 +11,7 @@ constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 
 std::atomic<std::size_t> allocations{0};
 std::atomic<std::size_t> frees{0};
-// Allocations by number.
+// Number of the first allocation that fails.
 std::atomic<std::size_t> first_refused{kNever};
 std::atomic<std::size_t> end_of_refused{kNever};
 std::atomic<bool> has_refused{false};
@@ -36,7 +36,8 @@ void free_counted(void* memory) {
 
 }  // namespace
 
-// The other forms call these. Not inlined: GCC would see one of a pair without the other, and warn of a mismatch.
+// The other forms of new and delete call these. Not inlined: GCC would see only one of a pair and warn of a
+// mismatch.
 [[gnu::noinline]] void* operator new(std::size_t size) {
   count_allocation();
   return counted(std::malloc(size));

@@ -2,19 +2,19 @@
 
 #include <cstddef>
 
-/// The heap of an executable that counted_heap.cpp is compiled into: its operator new counts, and fails on
-/// demand. Bullet's own memory comes from malloc and is neither counted nor refused.
+/// Heap of an executable that contains counted_heap.cpp: operator new counts allocations, and fails on
+/// demand. Bullet's own memory comes from malloc and is not affected.
 namespace polhode::testing {
 
-/// The number of allocations since the start.
+/// Returns the number of allocations since the start.
 std::size_t heap_allocations();
-/// The number of allocations that are not freed.
+/// Returns the number of allocations that have not been freed.
 std::size_t heap_blocks();
 
 enum class MemoryReturns { at_once, when_told };
 
-/// While this lives, the allocation after the next `granted` ones throws std::bad_alloc, and with
-/// MemoryReturns::when_told all after it.
+/// During the lifetime of this object, the first `granted` allocations succeed and the next one throws
+/// std::bad_alloc. With MemoryReturns::when_told all later ones throw too.
 class MemoryShortage {
  public:
   MemoryShortage(std::size_t granted, MemoryReturns returns);
@@ -22,7 +22,7 @@ class MemoryShortage {
   MemoryShortage(const MemoryShortage&) = delete;
   MemoryShortage& operator=(const MemoryShortage&) = delete;
 
-  /// Ends the shortage. Returns whether some allocation failed.
+  /// Ends the shortage. Returns true if an allocation failed.
   bool end();
 };
 

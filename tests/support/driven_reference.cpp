@@ -15,7 +15,7 @@ class Equations {
       : inertia_B_(inertia_B), place_(place), law_(law) {}
 
   Numbers rate(double t, const Numbers& y) const {
-    // A stage is no unit quaternion.
+    // The stages of the method are not normalised.
     const Quaternion q_WB = Quaternion(y.head<4>()).normalized();
     const Matrix3 R_WB = q_WB.toRotationMatrix();
     const Vector3 L_W = y.segment<3>(4);

@@ -4,18 +4,19 @@
 
 namespace polhode::testing {
 
-/// Free or torqued rotation by the classical Runge-Kutta method in small steps, of the equations
+/// Integrates free or torqued rotation by the classical Runge-Kutta method in small steps:
 ///   dL_W/dt = tau_W,  dq_WB/dt = 1/2 [0, omega_W] q_WB,  omega_W = R_WB I_B^-1 R_WB^T L_W.
-/// An oracle for the orders of the schemes: its own error is far below theirs (tested by halving its step).
-/// The torque is constant in the world, or `turns_with_body`: `torque_W` at the start, constant in the body.
+/// An oracle for the orders of the schemes: its error is far below theirs (tested by halving its step). The
+/// torque is constant in the world or, with `turns_with_body`, in the body; `torque_W` is its value at the
+/// start.
 RotationState integrate_finely(const Vector3& inertia_B, const RotationState& start, double duration,
                                int steps, const Vector3& torque_W = Vector3::Zero(),
                                bool turns_with_body = false);
 
-/// The angle of the rotation between two orientations, rad.
+/// Returns the angle between two orientations, rad.
 double angle_between(const Quaternion& a, const Quaternion& b);
 
-/// A state at rest in L: orientation and angular velocity given, L_W to agree.
+/// Returns the state with the given orientation and angular velocity, and L_W computed from them.
 RotationState state_from(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& omega_W);
 
 }  // namespace polhode::testing

@@ -53,7 +53,7 @@ Vector solve(const Matrix& m, const Vector& right) {
   return result;
 }
 
-// q + dt/2 [0, omega] q, normalised.
+// Returns q + dt/2 [0, omega] q, normalised.
 Quaternion turned(const Quaternion& q, const Vector& w, double dt) {
   const Quaternion rate = {-w[0] * q[1] - w[1] * q[2] - w[2] * q[3], w[0] * q[0] + w[1] * q[3] - w[2] * q[2],
                            w[1] * q[0] + w[2] * q[1] - w[0] * q[3], w[2] * q[0] + w[0] * q[2] - w[1] * q[1]};

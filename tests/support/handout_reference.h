@@ -2,8 +2,8 @@
 
 #include <array>
 
-/// The handout's equations once more, written out from the text alone in plain arrays: an oracle that shares
-/// no line with the library. Torque-free motion; row-major matrices; quaternions w, x, y, z.
+/// The handout's equations, implemented from the text alone in plain arrays: an oracle that shares no code
+/// with the library. Torque-free motion; row-major matrices; quaternions w, x, y, z.
 namespace polhode::testing::handout {
 
 using Vector = std::array<double, 3>;
@@ -25,7 +25,7 @@ void advance_implicit_gyroscopic(Body& body, double dt);       // eq. 6-10
 
 double determinant(const Matrix& matrix);
 Matrix matrix_of(const Quaternion& q);
-/// Rotational energy of problems 3 and 4, (1/2) omega . I_W omega.
+/// Returns the rotational energy of problems 3 and 4, (1/2) omega . I_W omega.
 double energy(const Body& body);
 
 }  // namespace polhode::testing::handout

@@ -16,7 +16,7 @@ inline Vector3 omega_of(const btRigidBody& body) {
   return to_double(body.getAngularVelocity());
 }
 
-/// The rotation vector, in world axes, that takes one basis to the other; rad.
+/// Returns the rotation vector, in world axes, from one basis to the other, rad.
 inline Vector3 turn_between(const Matrix3& from, const Matrix3& to) {
   return logarithm(Quaternion(Matrix3(to * from.inverse())).normalized());
 }
@@ -25,12 +25,12 @@ inline double angle_between(const Matrix3& a, const Matrix3& b) {
   return turn_between(a, b).norm();
 }
 
-/// The largest difference between two elements.
+/// Returns the largest difference between two elements.
 inline double distance(const Matrix3& a, const Matrix3& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-/// Returns true for bit for bit the same pose and velocities.
+/// Returns true if pose and velocities are bit-identical.
 inline bool same_motion(const btRigidBody& a, const btRigidBody& b) {
   return same(a.getWorldTransform().getBasis(), b.getWorldTransform().getBasis()) &&
          same(a.getWorldTransform().getOrigin(), b.getWorldTransform().getOrigin()) &&
@@ -38,13 +38,13 @@ inline bool same_motion(const btRigidBody& a, const btRigidBody& b) {
          same(a.getLinearVelocity(), b.getLinearVelocity());
 }
 
-/// Returns true if the body shows the library's orientation, rounded to Bullet's precision.
+/// Returns true if the body has the library's orientation, rounded to Bullet's precision.
 inline bool shows_orientation(const btRigidBody& body, const RotationState& state) {
   return same(body.getWorldTransform().getBasis(), to_bullet(state.q_WB.toRotationMatrix()));
 }
 
-/// Returns true if the body shows the library's orientation and velocity, as every body does that is not in a
-/// joint or a contact.
+/// Returns true if the body has the library's orientation and velocity, as every body does outside joints and
+/// contacts.
 inline bool shows(const btRigidBody& body, const RotationState& state) {
   return shows_orientation(body, state) && same(body.getAngularVelocity(), to_bullet(state.omega_W));
 }

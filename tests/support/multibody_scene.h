@@ -15,14 +15,14 @@
 
 namespace polhode::testing {
 
-/// A part that is fixed to a multibody's base: its centre of mass and axes in the base's frame.
+/// A part fixed to a multibody's base: its centre of mass and axes in the base's frame.
 struct FixedPart {
   btScalar mass;
   btVector3 inertia;
   btTransform pose_B;
 };
 
-/// A multibody without links, undamped, with the base collider that it has in most applications.
+/// A multibody without links and damping, with a base collider, as in most applications.
 struct MultibodyInScene {
   MultibodyInScene(btScalar mass, const btVector3& inertia_B, const btTransform& pose,
                    const std::vector<FixedPart>& parts)
@@ -49,7 +49,7 @@ struct MultibodyInScene {
   std::unique_ptr<btMultiBodyLinkCollider> collider;
 };
 
-/// A scene of multibodies beside rigid bodies, without gravity until told otherwise.
+/// A scene of multibodies and rigid bodies, initially without gravity.
 template <class World = btMultiBodyDynamicsWorld>
 class MultibodyScene : public Scene<World> {
  public:
@@ -62,14 +62,14 @@ class MultibodyScene : public Scene<World> {
                              btCollisionShape& shape) {
     MultibodyInScene& added = make(mass, inertia_B, pose);
     added.set_shape(shape);
-    // Without a group it would be filtered like a static object.
+    // Without an explicit group Bullet would filter the collider as a static object.
     this->world().addCollisionObject(added.collider.get(), btBroadphaseProxy::DefaultFilter,
                                      btBroadphaseProxy::AllFilter);
     this->world().addMultiBody(&added.multibody);
     return added.multibody;
   }
 
-  /// A multibody of 1 kg that spins at omega_W where nothing else is, without a collider.
+  /// Adds a multibody of 1 kg without a collider that spins at omega_W in empty space.
   btMultiBody& add_free_multibody(const btVector3& inertia_B, const btVector3& omega_W,
                                   const btQuaternion& q_WB = btQuaternion::getIdentity(),
                                   const std::vector<FixedPart>& parts = {}) {
@@ -80,7 +80,7 @@ class MultibodyScene : public Scene<World> {
     return multibody;
   }
 
-  /// A box with the inertia of its shape.
+  /// Adds a box with the inertia of its shape.
   btMultiBody& add_multibody_box(const btVector3& half_extents, btScalar mass, const btTransform& pose) {
     btCollisionShape& shape = this->box(half_extents);
     btVector3 inertia_B;
@@ -97,7 +97,7 @@ class MultibodyScene : public Scene<World> {
     return added;
   }
 
-  /// Holds a point of the base in its place in the world.
+  /// Pins a point of the base to its present place in the world.
   void pin(btMultiBody& multibody, const btVector3& point_B) {
     const btVector3 point_W = multibody.getBaseWorldTransform() * point_B;
     auto& joint = join_multibody<btMultiBodyPoint2Point>(&multibody, -1, static_cast<btRigidBody*>(nullptr),
@@ -105,7 +105,7 @@ class MultibodyScene : public Scene<World> {
     joint.setMaxAppliedImpulse(btScalar(1e9));
   }
 
-  /// Takes it out of the world and deletes it.
+  /// Removes the multibody from the world and deletes it.
   void remove_multibody(btMultiBody& multibody) {
     for (auto it = multibodies_.begin(); it != multibodies_.end(); ++it) {
       if (&(*it)->multibody != &multibody) continue;
@@ -130,7 +130,7 @@ class MultibodyScene : public Scene<World> {
   std::vector<std::unique_ptr<btMultiBodyConstraint>> joints_;
 };
 
-/// @name The two ways in
+/// @name The two ways to use the library
 /// @{
 class MultibodiesInRotationWorld : public MultibodyScene<RotationWorld<btMultiBodyDynamicsWorld>> {
  public:
@@ -151,7 +151,7 @@ class MultibodiesUnderRotationPlugin : public MultibodyScene<> {
 using BothWaysOfMultibodies = ::testing::Types<MultibodiesInRotationWorld, MultibodiesUnderRotationPlugin>;
 /// @}
 
-/// Rotational kinetic energy as the multibody shows it, J.
+/// Returns the rotational kinetic energy from the multibody's velocity, J.
 inline double shown_rotational_energy(const btMultiBody& multibody) {
   const btVector3 omega_B = quatRotate(multibody.getWorldToBaseRot(), multibody.getBaseOmega());
   double twice = 0;

@@ -1,5 +1,6 @@
-// The forms of operator new and delete for arrays, and those that do not throw, by the plain ones. An executable that
-// replaces the plain ones needs these beside them: the standard library's own call the plain ones, a sanitizer's do not.
+// Operator new and delete for arrays and the non-throwing forms, in terms of the plain ones. Needed in
+// executables that replace the plain ones: the standard library's other forms call the plain ones, a
+// sanitizer's do not.
 #include <cstddef>
 #include <new>
 

@@ -7,8 +7,8 @@
 
 namespace polhode::testing {
 
-/// Random bodies: inertia of the density that physics allows and beyond (no triangle inequality), spins of
-/// 0.01 to 100 rad/s, orientations uniform over the rotations. Seeded, so that a failure repeats.
+/// Random bodies: moments of inertia of real bodies and others (violating the triangle inequality), spins of
+/// 0.01 to 100 rad/s, uniformly distributed orientations. Seeded, so that failures are reproducible.
 class RandomBody {
  public:
   explicit RandomBody(unsigned start_seed) : generator_(start_seed) {}

@@ -7,7 +7,7 @@
 
 namespace polhode::testing {
 
-/// Returns true if two doubles are the same to the last bit. +0 and -0 differ; any two NaNs are the same.
+/// Returns true if two doubles are bit-identical. Distinguishes +0 and -0; all NaNs are equal.
 inline bool same_bits(double a, double b) {
   if (a != a) return b != b;
   std::uint64_t bits_of_a = 0;

@@ -10,7 +10,7 @@ inline bool same_bits(const btVector3& a, const btVector3& b) {
   return std::memcmp(a.m_floats, b.m_floats, 3 * sizeof(btScalar)) == 0;
 }
 
-/// Returns true if pose and velocities are the same to the last bit.
+/// Returns true if pose and velocities are bit-identical.
 inline bool same_bits(const btRigidBody& a, const btRigidBody& b) {
   const btTransform& pose_a = a.getWorldTransform();
   const btTransform& pose_b = b.getWorldTransform();

@@ -15,7 +15,7 @@
 
 namespace polhode::testing {
 
-/// The solver that each of Bullet's worlds expects.
+/// The solver that each Bullet world expects.
 template <class World>
 std::unique_ptr<btConstraintSolver> make_solver() {
   if constexpr (std::is_base_of_v<btDiscreteDynamicsWorldMt, World>) {
@@ -41,8 +41,7 @@ std::unique_ptr<World> make_world(btDispatcher* dispatcher, btBroadphaseInterfac
   }
 }
 
-/// A world of any kind with all that it stands on, and the bodies in it; without gravity until told
-/// otherwise.
+/// A world of any kind with its bodies and the objects that the world uses; initially without gravity.
 template <class World = btDiscreteDynamicsWorld>
 class Scene {
  public:
@@ -60,19 +59,19 @@ class Scene {
     return *shapes_.back();
   }
 
-  /// A dynamic body (static with mass 0) that never sleeps unless told otherwise.
+  /// Adds a dynamic body (static with mass 0) that never sleeps by default.
   btRigidBody& add(btScalar mass, const btVector3& inertia_B, const btTransform& pose,
                    btCollisionShape& shape, btMotionState* motion_state = nullptr) {
     btRigidBody::btRigidBodyConstructionInfo info(mass, motion_state, &shape, inertia_B);
     info.m_startWorldTransform = pose;
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& body = *bodies_.back();
-    static_cast<btDynamicsWorld&>(*world_).addRigidBody(&body);  // the world's class may hide it
+    static_cast<btDynamicsWorld&>(*world_).addRigidBody(&body);  // the world's class may hide this overload
     if (mass != 0) body.setActivationState(DISABLE_DEACTIVATION);
     return body;
   }
 
-  /// A free body: one of 1 kg that spins at omega_W where nothing else is.
+  /// Adds a free body of 1 kg that spins at omega_W in empty space.
   btRigidBody& add_free(const btVector3& inertia_B, const btVector3& omega_W,
                         const btQuaternion& q_WB = btQuaternion::getIdentity()) {
     const btScalar spacing = 10;
@@ -82,8 +81,8 @@ class Scene {
     return body;
   }
 
-  /// A body that the application moves. With a mass it can turn dynamic later; else Bullet counts it as
-  /// static too.
+  /// Adds a body that the application moves. With a mass it can become dynamic later; without, Bullet also
+  /// treats it as static.
   btRigidBody& add_kinematic(const btTransform& pose, btScalar mass, const btVector3& inertia_B) {
     btRigidBody& body = add(mass, inertia_B, pose, box(btVector3(1, 1, 1)));
     world_->removeRigidBody(&body);
@@ -93,13 +92,13 @@ class Scene {
     return body;
   }
 
-  /// A static floor whose top is at height 0, z up.
+  /// Adds a static floor whose top is at height 0, z up.
   btRigidBody& add_floor() {
     const btTransform pose(btQuaternion::getIdentity(), btVector3(0, 0, -1));
     return add(0, btVector3(0, 0, 0), pose, box(btVector3(50, 50, 1)));
   }
 
-  /// A box with the inertia of its shape.
+  /// Adds a box with the inertia of its shape.
   btRigidBody& add_box(const btVector3& half_extents, btScalar mass, const btTransform& pose) {
     btCollisionShape& shape = box(half_extents);
     btVector3 inertia_B;
@@ -107,7 +106,7 @@ class Scene {
     return add(mass, inertia_B, pose, shape);
   }
 
-  /// A joint of Bullet's, from the arguments of its constructor; bodies that it joins do not collide.
+  /// Adds a Bullet joint, given its constructor arguments; the joined bodies do not collide.
   template <class Joint, class... Arguments>
   Joint& join(Arguments&&... arguments) {
     auto joint = std::make_unique<Joint>(std::forward<Arguments>(arguments)...);
@@ -117,7 +116,7 @@ class Scene {
     return added;
   }
 
-  /// Any shape; the scene keeps it.
+  /// Adds any shape, owned by the scene.
   template <class Shape, class... Arguments>
   Shape& shape(Arguments&&... arguments) {
     auto shape = std::make_unique<Shape>(std::forward<Arguments>(arguments)...);
@@ -126,7 +125,7 @@ class Scene {
     return added;
   }
 
-  /// Takes the body out of the world and deletes it.
+  /// Removes the body from the world and deletes it.
   void remove(btRigidBody& body) {
     world_->removeRigidBody(&body);
     for (auto it = bodies_.begin(); it != bodies_.end(); ++it) {

@@ -4,8 +4,8 @@
 
 namespace polhode::testing {
 
-/// A number between low and high, the same everywhere: the standard fixes the numbers of a generator, but not
-/// those of a distribution.
+/// Returns a number between low and high that is the same on every platform: the standard specifies the
+/// output of generators, but not of distributions.
 inline double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }

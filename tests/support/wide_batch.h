@@ -8,7 +8,7 @@
 
 namespace polhode::testing {
 
-/// Eight bodies of a scheme and what it keeps of them.
+/// Eight bodies of a scheme, and the scheme's memory for them.
 struct WideBatch {
   explicit WideBatch(const WideScheme& scheme) : memory(scheme.memory_rows(), Wide(0.0)) {}
 
@@ -38,7 +38,7 @@ struct WideBatch {
   std::vector<WideMemoryRow> memory;
 };
 
-/// One body that a scheme remembers from step to step, if the scheme has a memory.
+/// One body with the scheme's memory for it, if the scheme has a memory.
 class RememberedBody {
  public:
   explicit RememberedBody(const RotationScheme& scheme)

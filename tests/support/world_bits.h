@@ -11,8 +11,8 @@
 
 namespace polhode::testing {
 
-/// A number in which every bit counts of what a world shows: bodies, their rotation, contact points with
-/// their impulses, and the order of the manifolds and pairs.
+/// Returns a hash of every bit of a world's visible state: bodies, their rotation, contact points with their
+/// impulses, and the order of the manifolds and pairs.
 inline std::uint64_t digest_of(btDiscreteDynamicsWorld& world, const RotationControl& rotation) {
   Digest digest;
   for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
@@ -40,7 +40,7 @@ inline std::uint64_t digest_of(btDiscreteDynamicsWorld& world, const RotationCon
   return digest.value();
 }
 
-/// The digest after each of so many steps.
+/// Returns the digest after each step.
 template <class Way>
 std::vector<std::uint64_t> run(Way& way, int steps, btScalar dt) {
   std::vector<std::uint64_t> digests;
@@ -51,7 +51,7 @@ std::vector<std::uint64_t> run(Way& way, int steps, btScalar dt) {
   return digests;
 }
 
-/// The first step after which two runs differ; 0 if none.
+/// Returns the first step after which two runs differ, counted from 1; 0 if there is none.
 inline int first_difference(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
     if (a[i] != b[i]) return static_cast<int>(i) + 1;

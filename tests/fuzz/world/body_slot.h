@@ -10,13 +10,13 @@
 
 namespace polhode::fuzz {
 
-/// For messages.
+/// Formats a vector for messages.
 std::string text(const btVector3& v);
 
-/// Pose, velocities and inverse inertia in the world, for messages.
+/// Formats pose, velocities and inverse world inertia for messages.
 std::string numbers(const btRigidBody& body);
 
-/// Keeps the pose that it was shown last.
+/// Stores the last pose that Bullet set.
 class ShownPose final : public btMotionState {
  public:
   ShownPose(const btTransform& start, std::function<void()> on_show)
@@ -35,7 +35,7 @@ class ShownPose final : public btMotionState {
   std::function<void()> on_show_;
 };
 
-/// A body and what the application may expect of it.
+/// A body and the state that the application expects.
 class BodySlot {
  public:
   BodySlot() = default;
@@ -43,15 +43,16 @@ class BodySlot {
   BodySlot(const BodySlot&) = delete;
   BodySlot& operator=(const BodySlot&) = delete;
 
-  /// Makes a body, always at the same address if `in_place`, so that a new body may be taken for an old one.
+  /// Creates a body. With `in_place` it always gets the same address, so that it could be confused with the
+  /// old one.
   void make(const btRigidBody::btRigidBodyConstructionInfo& info, bool in_place);
   void destroy();
   btRigidBody* body() const { return body_; }
 
   static constexpr int kLimbo = -1;
   int world = kLimbo;
-  int flags = 0;                 ///< as the application left them
-  bool left_non_finite = false;  ///< within the step, after the library was done
+  int flags = 0;                 ///< as set by the application
+  bool left_non_finite = false;  ///< became non-finite within the step, after the library had finished
   bool is_finite_at_tick = false;
   std::unique_ptr<ShownPose> motion_state;
 

@@ -41,7 +41,7 @@ void change_body(const Operation& operation, BodySlot& slot) {
       body.setFlags(slot.flags);
       break;
     case Kind::mass: {
-      // Mass 0 makes a body static, which Bullet wants to know when it is added.
+      // Mass 0 makes a body static, which must be known when the body is added to a world.
       if (body.isStaticObject()) break;
       body.setMassProps(inertia(operation.x, false), moments(a));
       if (variant % 2 == 0) body.updateInertiaTensor();
@@ -66,7 +66,7 @@ void change_body(const Operation& operation, BodySlot& slot) {
       if (variant % 8 == 7) body.setSleepingThresholds(operation.x, operation.y);
       break;
     case Kind::kinematic:
-      // As the manual says: not while the body is in a world.
+      // Bullet's manual forbids this while the body is in a world.
       if (slot.world != BodySlot::kLimbo || body.isStaticObject()) break;
       body.setCollisionFlags(body.getCollisionFlags() ^ btCollisionObject::CF_KINEMATIC_OBJECT);
       break;

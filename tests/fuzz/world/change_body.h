@@ -5,7 +5,7 @@
 
 namespace polhode::fuzz {
 
-/// Does an operation that touches a body alone, not the world or the library.
+/// Performs an operation that affects a body only, not the world or the library.
 void change_body(const Operation& operation, BodySlot& slot);
 
 }  // namespace polhode::fuzz

@@ -5,7 +5,7 @@
 
 namespace polhode::fuzz {
 
-/// Does an operation that touches a multibody alone, not the world or the library.
+/// Performs an operation that affects a multibody only, not the world or the library.
 void change_multibody(const Operation& operation, MultibodySlot& slot);
 
 }  // namespace polhode::fuzz

@@ -42,7 +42,7 @@ bool same(const BodyRotation& a, const BodyRotation& b) {
          a.unresolved_steps == b.unresolved_steps && a.diverged == b.diverged;
 }
 
-// Both are null, or in the same place and as awake.
+// Returns true if both are null, or have the same pose and activation.
 bool same(const btCollisionObject* a, const btCollisionObject* b) {
   if (a == nullptr || b == nullptr) return a == b;
   for (int row = 0; row < 3; ++row) {

@@ -6,7 +6,7 @@
 
 namespace polhode::fuzz {
 
-/// Fails unless bodies, multibodies and what the library knows of them are the same on both sides, to the bit.
+/// Fails unless bodies, multibodies and the library's data about them are bit-identical on both sides.
 void compare(const Side& here, const Side& there, std::size_t world);
 
 }  // namespace polhode::fuzz

@@ -8,10 +8,10 @@
 
 #include <memory>
 
-/// Things for rigid bodies to touch that are no rigid bodies. They outlive their world.
+/// Objects other than rigid bodies that rigid bodies can touch. They outlive their world.
 namespace polhode::fuzz {
 
-/// Hangs between two points at a height of 1.
+/// A rope that hangs between two points at height 1.
 struct Rope {
   template <class World>
   void hang(World& world) {
@@ -23,7 +23,7 @@ struct Rope {
   std::unique_ptr<btSoftBody> body;
 };
 
-/// A ball on an arm, which a btMultiBody turns about an axis at a height of 2.
+/// A ball on an arm, a btMultiBody that turns about an axis at height 2.
 struct Pendulum {
   void hang(btMultiBodyDynamicsWorld& world);
 

@@ -8,7 +8,7 @@ std::unique_ptr<btTypedConstraint> make_joint(const Operation& operation, btRigi
                                               btRigidBody* b_or_world) {
   const bool to_world = b_or_world == nullptr;
   btRigidBody& b = to_world ? a : *b_or_world;
-  // Bullet's joints between two bodies without mass divide by zero.
+  // Bullet divides by zero in joints between two bodies without mass.
   if (a.getInvMass() == 0 && b.getInvMass() == 0) return nullptr;
   const btTransform frame_a(btQuaternion(btVector3(1, 1, 0).normalized(), operation.x), operation.a);
   const btTransform frame_b(btQuaternion::getIdentity(), operation.b);

@@ -8,8 +8,8 @@
 
 namespace polhode::fuzz {
 
-/// Returns a joint of two bodies, or of one and the world, of the kind and at the places that the operation
-/// says; null where Bullet has none for these.
+/// Creates a joint between two bodies, or a body and the world, of the kind and at the pivots that the
+/// operation specifies. Returns null if Bullet has no such joint.
 std::unique_ptr<btTypedConstraint> make_joint(const Operation& operation, btRigidBody& a,
                                               btRigidBody* b_or_world);
 

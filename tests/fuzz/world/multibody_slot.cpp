@@ -114,7 +114,7 @@ void MultibodySlot::destroy() {
 void MultibodySlot::put(btMultiBodyDynamicsWorld& home) {
   home.addMultiBody(multibody_);
   for (const auto& collider : colliders_) {
-    // Without a group it would be filtered like a static object.
+    // Without an explicit group Bullet would filter the collider as a static object.
     home.addCollisionObject(collider.get(), btBroadphaseProxy::DefaultFilter, btBroadphaseProxy::AllFilter);
   }
 }

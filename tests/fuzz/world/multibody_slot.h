@@ -14,10 +14,10 @@
 
 namespace polhode::fuzz {
 
-/// Pose and velocities of the base, for messages.
+/// Formats pose and velocities of the base for messages.
 std::string numbers(const btMultiBody& multibody);
 
-/// What an application sets once, and finds as it was after each step.
+/// Settings of the application, which a step must not change.
 struct Switches {
   bool operator==(const Switches& other) const;
 
@@ -29,8 +29,8 @@ struct Switches {
   btScalar largest_velocity = 0;
 };
 
-/// A multibody and what the application may expect of it. All that a slot ever has are at one address: a
-/// new one may be taken for an old one, and the library says that it then has its choice.
+/// A multibody and the state that the application expects. All multibodies of a slot get the same address:
+/// the library documents that a new one then inherits the settings of the old one.
 class MultibodySlot {
  public:
   MultibodySlot() = default;
@@ -43,25 +43,25 @@ class MultibodySlot {
   btMultiBody* multibody() const { return multibody_; }
 
   void put(btMultiBodyDynamicsWorld& home);
-  /// With its pin.
+  /// Removes the multibody and its pin.
   void take_out(btMultiBodyDynamicsWorld& home);
-  /// Holds a point of it at a point of the body, or of the world if that is null.
+  /// Pins a point of the multibody to a point of the body, or of the world if `body` is null.
   void pin(btMultiBodyDynamicsWorld& home, const Operation& operation, btRigidBody* body);
   void unpin(btMultiBodyDynamicsWorld& home);
-  /// The body that it is pinned to; null also for the world.
+  /// Returns the body at the other end of the pin; null for the world or without a pin.
   const btRigidBody* pinned_to() const { return pinned_to_; }
   bool is_pinned() const { return pin_ != nullptr; }
 
-  /// Returns true if it is free and has no links but fixed ones.
+  /// Returns true if it has a free base and no movable links.
   bool turns_as_one_body() const;
   Switches present_switches() const;
 
   static constexpr int kLimbo = -1;
   int world = kLimbo;
-  Switches switches;  ///< as the application left them
+  Switches switches;  ///< as set by the application
   btVector3 force = btVector3(0, 0, 0);
   btVector3 torque = btVector3(0, 0, 0);
-  bool left_non_finite = false;  ///< within the step, after the library was done
+  bool left_non_finite = false;  ///< became non-finite within the step, after the library had finished
   bool is_finite_at_tick = false;
 
  private:

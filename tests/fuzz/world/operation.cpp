@@ -10,7 +10,7 @@ namespace {
 
 using Numbers = std::numeric_limits<btScalar>;
 
-// Mostly an ordinary number, sometimes one at which arithmetic may fail.
+// Returns mostly ordinary numbers, and sometimes ones that make arithmetic fail.
 btScalar read_scalar(Bytes& bytes, const Limits& limits) {
   const std::uint8_t kind = bytes.byte();
   if (kind < 224) return static_cast<btScalar>((kind < 100 ? 2 : 30) * bytes.unit());
@@ -33,7 +33,7 @@ btScalar read_scalar(Bytes& bytes, const Limits& limits) {
                               -Numbers::infinity(),
                               Numbers::quiet_NaN()};
   const btScalar chosen = special[kind % (sizeof(special) / sizeof(special[0]))];
-  const btScalar limit = btScalar(1e16);  // past it the solver's products overflow
+  const btScalar limit = btScalar(1e16);  // above this, products in the solver overflow
   return limits.non_finite || std::abs(chosen) < limit ? chosen : btScalar(0.5);
 }
 
@@ -47,7 +47,8 @@ btVector3 read_vector(Bytes& bytes, const Limits& limits) {
   return {x, y, read_scalar(bytes, limits)};
 }
 
-// Half of all operations are steps, a sixteenth drive bodies, and in worlds with multibodies an eighth are for these.
+// Half of all operations are steps and a sixteenth drive bodies. In worlds with multibodies, an eighth are
+// for these.
 Kind read_kind(Bytes& bytes, const Limits& limits) {
   constexpr std::uint8_t kFirstStep = 128;
   constexpr std::uint8_t kFirstOfMultibody = 96;

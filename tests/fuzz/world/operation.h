@@ -12,20 +12,20 @@
 
 namespace polhode::fuzz {
 
-constexpr std::size_t kSlots = 12;  ///< bodies that a world may have
+constexpr std::size_t kSlots = 12;  ///< bodies per world, at most
 constexpr std::size_t kJoints = 6;
-constexpr std::size_t kMultibodies = 4;  ///< many that touch cost Bullet's solver about their number^4
+constexpr std::size_t kMultibodies = 4;  ///< Bullet's solver takes O(n^4) for n in contact
 
-/// One thing that an application does to a world, its bodies or the library.
+/// An action of the application on a world, its bodies or the library.
 enum class Kind : std::uint8_t {
-  // Within a step as well as between two steps, and to a body that is in contact:
+  // Allowed between steps and anywhere within a step, even on a body in contact:
   velocity,
   kick,
   damping,
   factors,
   flags,
   mass,
-  // In tick callbacks, in actions and between steps:
+  // Allowed in tick callbacks, in actions and between steps:
   teleport,
   activation,
   choose_scheme,
@@ -35,7 +35,7 @@ enum class Kind : std::uint8_t {
   remove,
   put_back,
   erase,
-  // Between two steps alone:
+  // Allowed only between steps:
   gravity,
   kinematic,
   join,
@@ -49,26 +49,26 @@ enum class Kind : std::uint8_t {
   continuous_collision,
   material,
   settings,
-  within_step,  ///< the next operation is done within the next step
+  within_step,  ///< perform the next operation within the next step
   step,
-  // In tick callbacks, in actions and between steps, in worlds with multibodies:
+  // Allowed in tick callbacks, in actions and between steps, in worlds with multibodies:
   add_multibody,
-  take_multibody,  ///< out of its world, or back into one
+  take_multibody,  ///< remove from the world, or add again
   erase_multibody,
   move_multibody,
   push_multibody,
   set_multibody,
   choose_for_multibody,
   pin_multibody,
-  // In tick callbacks, in actions and between steps:
-  drive,  ///< a torque law, rotors, motors
+  // Allowed in tick callbacks, in actions and between steps:
+  drive,  ///< set a torque law, rotors or motors
   count
 };
 
-/// Where in a step an operation is done.
+/// Where within a step an operation is performed.
 enum class Place : std::uint8_t { before, contact, action, after, motion_state, count };
 
-/// An operation with all its numbers, so that it can be done alike on several worlds.
+/// An operation with all its numbers, so that it can be repeated on several worlds.
 struct Operation {
   Kind kind = Kind::step;
   std::size_t variant = 0;
@@ -79,10 +79,10 @@ struct Operation {
   btVector3 b = btVector3(0, 0, 0);
   btScalar x = 0;
   btScalar y = 0;
-  Place place = Place::before;  ///< of within_step
+  Place place = Place::before;  ///< for within_step
 };
 
-/// The class of Bullet's worlds, or a discrete world with an MLCP solver.
+/// The class of the Bullet world; mlcp is a discrete world with an MLCP solver.
 enum class WorldKind : std::uint8_t { discrete, soft_rigid, multi_body, mlcp, soft_multi_body };
 
 constexpr bool has_multibodies(WorldKind kind) {
@@ -95,13 +95,13 @@ constexpr bool is_of_multibody(Kind kind) {
   return kind > Kind::step && kind < Kind::drive;
 }
 
-/// What the operations of an input may do. The fewer, the more can be checked.
+/// The operations that an input may use. Fewer operations allow stricter checks.
 struct Limits {
   bool non_finite = false;
   bool detaching = false;
   bool continuous_collision = false;
   bool contact_callbacks = false;
-  bool managed = true;  ///< else every body is Bullet's
+  bool managed = true;  ///< false: Bullet rotates every body
   WorldKind world_kind = WorldKind::discrete;
 };
 

@@ -10,7 +10,7 @@ namespace polhode::fuzz {
 namespace {
 
 constexpr btScalar kDt = btScalar(1.0 / 60);
-Side* side_in_step = nullptr;  // Bullet's contact callback has no argument to find it by
+Side* side_in_step = nullptr;  // Bullet's contact callback has no argument that could carry this pointer
 
 void before_tick(btDynamicsWorld* world, btScalar /*dt*/) {
   static_cast<Side*>(world->getWorldUserInfo())->in_step(Place::before);
@@ -98,7 +98,7 @@ void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
       slot.is_finite_at_tick = slot.multibody() != nullptr && is_finite(*slot.multibody());
   }
   if (place == Place::action) check_left_as_they_were(true);
-  // By index: an operation may come back to here through a motion state.
+  // By index: a motion state may call this function again.
   for (std::size_t i = 0; i < script_.size(); ++i) {
     if (script_[i].place != place || script_[i].kind == Kind::step) continue;
     Operation operation = script_[i];
@@ -107,7 +107,7 @@ void Side::in_step(Place place, btRigidBody* a, btRigidBody* b) {
       if (body == nullptr || body->isStaticOrKinematicObject()) continue;
       operation.slot = static_cast<std::size_t>(body->getUserIndex());
     }
-    script_[i].kind = Kind::step;  // once a step
+    script_[i].kind = Kind::step;  // at most once per step
     if (place == Place::motion_state) has_acted_in_motion_state_ = true;
     apply(operation);
     if (is_of_multibody(operation.kind)) {

@@ -15,7 +15,7 @@
 
 namespace polhode::fuzz {
 
-/// The worlds of one application, rotated in one of the ways. Every operation is done on each side alike.
+/// The worlds of one application, with one way of rotation. Every side performs the same operations.
 class Side {
  public:
   Side(Way way, const Limits& limits);
@@ -23,25 +23,24 @@ class Side {
   Side(const Side&) = delete;
   Side& operator=(const Side&) = delete;
 
-  /// Any operation but a step.
+  /// Performs any operation except a step.
   void apply(const Operation& operation);
-  /// The operations of `script` are done within the step.
+  /// Steps a world and performs the operations of `script` within the step.
   void step(const Operation& operation, const std::vector<Operation>& script);
 
-  /// Checks what the library promises after a step of the world (side_checks.cpp).
+  /// Checks the library's guarantees after a step of the world (side_checks.cpp).
   void check(std::size_t world);
 
   const BodySlot& slot(std::size_t index) const { return slots_[index]; }
   const MultibodySlot& multibody(std::size_t index) const { return multibodies_[index]; }
-  /// Null for plain Bullet, or a world that does not exist.
+  /// Returns null for plain Bullet and for a world that does not exist.
   const RotationControl* rotation(std::size_t world) const;
-  /// The slots of the bodies in each overlapping pair, in Bullet's order.
+  /// Returns the slots of the bodies in each overlapping pair, in Bullet's order.
   std::vector<std::pair<int, int>> pairs(std::size_t world) const;
-  /// Returns true if a number that is not finite has been seen in a body or by the library, or a body that
-  /// Bullet has switched off.
+  /// Returns true if a body or the library has seen a non-finite number, or Bullet has switched off a body.
   bool has_left_contract() const { return has_left_contract_; }
 
-  /// Called by Bullet and by the parts of a side.
+  /// Called by Bullet's callbacks, and by the other parts of a side.
   void in_step(Place place, btRigidBody* a = nullptr, btRigidBody* b = nullptr);
 
  private:
@@ -69,7 +68,7 @@ class Side {
   void check_rotation(const BodyRotation& rotation, const std::string& name) const;
   void check_motion_state(const World& world, std::size_t index);
 
-  // side_multibodies.cpp
+  // Defined in side_multibodies.cpp:
   btMultiBodyDynamicsWorld& multibody_world(std::size_t index) const;
   void apply_to_multibody(const Operation& operation);
   void put(MultibodySlot& slot, std::size_t world);
@@ -82,7 +81,7 @@ class Side {
   void begin_step_of_multibodies();
   void check_left_as_they_were(bool with_forces);
   bool is_multibody_expected_to_be_managed(std::size_t world, std::size_t index) const;
-  /// Returns how many are managed.
+  /// Returns the number of managed multibodies.
   std::size_t check_multibodies(std::size_t world);
   void check_multibody(const RotationControl& rotation, std::size_t index);
 
@@ -96,8 +95,8 @@ class Side {
   std::array<std::array<Choice, kSlots>, 2> choices_{};
   std::array<std::array<Choice, kMultibodies>, 2> multibody_choices_{};
   std::array<bool, 2> has_default_{};
-  bool may_have_rotors_ = false;            ///< some body: schemes that take none are then refused for it
-  std::unique_ptr<RotationPlugin> orphan_;  // a plugin whose world is gone
+  bool may_have_rotors_ = false;            ///< some body; it may be refused schemes without rotors
+  std::unique_ptr<RotationPlugin> orphan_;  // a plugin whose world has been deleted
   std::vector<Operation> script_;
   std::size_t stepped_ = 0;
   bool is_in_step_ = false;

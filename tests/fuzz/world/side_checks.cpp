@@ -20,8 +20,8 @@ bool is_rotation(const btMatrix3x3& basis) {
   return true;
 }
 
-// Over a bounding box larger than Bullet takes. That is within a step, which in a RotationWorld has begun by then
-// and under a RotationPlugin has not.
+// Bullet switches a body off if its bounding box is too large. It does so within the step: after a
+// RotationWorld has begun the step, and before a RotationPlugin has.
 bool is_switched_off_by_bullet(const btRigidBody& body) {
   constexpr btScalar kFast = btScalar(1e5);
   return body.getActivationState() == DISABLE_SIMULATION && body.getLinearVelocity().length() > kFast;
@@ -48,10 +48,10 @@ void Side::check(std::size_t world) {
     BodySlot& slot = slots_[i];
     if (slot.body() == nullptr) continue;
     if (!is_finite(*slot.body()) || is_switched_off_by_bullet(*slot.body())) has_left_contract_ = true;
-    // Soft bodies push rigid ones after the tick callback.
+    // Soft bodies push rigid bodies after the tick callback.
     if (has_soft_bodies(limits_.world_kind) && slot.is_finite_at_tick && !is_finite(*slot.body()))
       slot.left_non_finite = true;
-    if (slot.body()->getFlags() != slot.flags) fail("the flags of a body are not the application's");
+    if (slot.body()->getFlags() != slot.flags) fail("a step changed the flags of a body");
   }
   const std::size_t managed_multibodies = check_multibodies(world);
   if (checked.rotation == nullptr) return;
@@ -80,7 +80,7 @@ void Side::check(std::size_t world) {
 
 void Side::check_body(std::size_t world, std::size_t index) {
   const BodySlot& slot = slots_[index];
-  if (!has_taken_step_) return;  // dt may be 0, or shorter than a substep
+  if (!has_taken_step_) return;  // dt may be 0 or shorter than a substep
   const std::string name = "the managed body in slot " + std::to_string(index);
   if (!is_finite(*slot.body()) && !slot.left_non_finite)
     fail(name + " of the way " + std::to_string(static_cast<int>(way_)) +
@@ -100,14 +100,14 @@ void Side::check_rotation(const BodyRotation& rotation, const std::string& name)
     fail(name + " has an unknown scheme");
 }
 
-// A motion state is shown the body where Bullet interpolates it to be, or the swollen basis of a scheme that
-// keeps one.
+// Checks that a motion state gets the pose that Bullet interpolates, or the swollen basis of schemes that
+// keep one.
 void Side::check_motion_state(const World& world, std::size_t index) {
   const btRigidBody& body = *slots_[index].body();
   const ShownPose* motion_state = slots_[index].motion_state.get();
   if (motion_state == nullptr || !body.isActive() || body.isStaticOrKinematicObject()) return;
   const std::string name = "the motion state of the body in slot " + std::to_string(index);
-  if (!motion_state->is_shown && has_taken_step_) fail(name + " is not shown a pose");
+  if (!motion_state->is_shown && has_taken_step_) fail(name + " did not get a pose");
   if (!motion_state->is_shown) return;
   const btScalar time = world.interpolation_time(body);
   const btTransform& start = body.getInterpolationWorldTransform();
@@ -122,15 +122,15 @@ void Side::check_motion_state(const World& world, std::size_t index) {
   const btScalar size = 1 + start.getOrigin().length() + velocity.length() * std::abs(time);
   if ((shown.getOrigin() - expected.getOrigin()).length() > kRounding * size)
     fail(name + " of the way " + std::to_string(static_cast<int>(way_)) +
-         " is shown another position than Bullet's: " + text(shown.getOrigin()) + " for" +
+         " got another position than Bullet's: " + text(shown.getOrigin()) + " for" +
          text(expected.getOrigin()) + " at the time " + std::to_string(time));
-  // What an application has set in the step is shown as it is. Bullet makes some rotation of it.
+  // A basis that the application set within the step is shown unchanged; Bullet would make it a rotation.
   if (!is_rotation(start.getBasis())) return;
   if (world.rotation->manages(body) && keeps_no_rotation(*world.rotation, body)) return;
   for (int row = 0; row < 3; ++row) {
     if ((shown.getBasis()[row] - expected.getBasis()[row]).length() > kRounding)
       fail(name + " of the way " + std::to_string(static_cast<int>(way_)) +
-           " is shown another orientation than Bullet's: row " + std::to_string(row) +
+           " got another orientation than Bullet's: row " + std::to_string(row) +
            text(shown.getBasis()[row]) + " for" + text(expected.getBasis()[row]) + ", from" +
            text(start.getBasis()[row]) + " at the time " + std::to_string(time) + " turning by" +
            text(body.getInterpolationAngularVelocity()));

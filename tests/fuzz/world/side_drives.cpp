@@ -1,4 +1,4 @@
-// What a side does with torque laws and rotors.
+// Operations of a side on torque laws and rotors.
 #include <stdexcept>
 
 #include "fuzz/world/side.h"
@@ -9,7 +9,7 @@ namespace polhode::fuzz {
 
 namespace {
 
-// Laws that behave, that fail, and that no step can take.
+// Returns laws that work, that throw, or whose torque no step can take.
 TorqueLaw law_of(const Operation& operation) {
   const Vector3 a = to_double(operation.a);
   const double x = static_cast<double>(operation.x);
@@ -69,7 +69,7 @@ void Side::drive(const Operation& operation) {
         rotation.set_time(static_cast<double>(operation.x));
     }
   } catch (const std::invalid_argument&) {
-    // not rotated by the library, a scheme without rotors, numbers that are not finite
+    // not rotated by the library, a scheme without rotors, or numbers that are not finite
   }
 }
 

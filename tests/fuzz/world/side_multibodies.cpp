@@ -1,4 +1,4 @@
-// What a side does with multibodies, and what the library promises of them.
+// Operations and checks of a side on multibodies.
 #include <cmath>
 #include <stdexcept>
 
@@ -40,7 +40,7 @@ void Side::apply_to_multibody(const Operation& operation) {
       return;
     case Kind::erase_multibody:
       remove(slot);
-      // A soft body keeps its contacts to the end of the step.
+      // A soft body keeps its contacts until the end of the step.
       if (!is_in_step_ || limits_.world_kind != WorldKind::soft_multi_body) slot.destroy();
       return;
     case Kind::choose_for_multibody:
@@ -76,7 +76,7 @@ void Side::pin(const Operation& operation, MultibodySlot& slot) {
   if (operation.other != kSlots) {
     const BodySlot& second = slots_[operation.other];
     const bool is_here = second.body() != nullptr && second.world == slot.world;
-    // Of a body that does not move Bullet reads a place in the solver that it has not.
+    // For a partner that does not move, Bullet reads outside the solver's arrays.
     if (is_here && !second.body()->isStaticOrKinematicObject()) partner = second.body();
   }
   slot.pin(world, operation, partner);
@@ -142,14 +142,13 @@ void Side::check_left_as_they_were(bool with_forces) {
   for (std::size_t i = 0; i < kMultibodies; ++i) {
     const MultibodySlot& slot = multibodies_[i];
     if (slot.multibody() == nullptr) continue;
-    if (!(slot.present_switches() == slot.switches))
-      fail("the switches of " + name_of(i) + " are not the application's");
+    if (!(slot.present_switches() == slot.switches)) fail("a step changed the switches of " + name_of(i));
     if (!with_forces || slot.world != static_cast<int>(stepped_)) continue;
-    // What is not finite is taken out.
+    // The library resets forces that are not finite.
     if (is_finite(slot.force) && !(slot.multibody()->getBaseForce() == slot.force))
-      fail("the force on " + name_of(i) + " is not the application's");
+      fail("a step changed the force on " + name_of(i));
     if (is_finite(slot.torque) && !(slot.multibody()->getBaseTorque() == slot.torque))
-      fail("the torque on " + name_of(i) + " is not the application's");
+      fail("a step changed the torque on " + name_of(i));
   }
 }
 

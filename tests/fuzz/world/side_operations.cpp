@@ -35,7 +35,7 @@ void Side::apply(const Operation& operation) {
       return;
     case Kind::erase:
       remove(slot);
-      // A soft body keeps its contacts to the end of the step.
+      // A soft body keeps its contacts until the end of the step.
       if (is_in_step_ && has_soft_bodies(limits_.world_kind)) return;
       slot.destroy();
       for (auto& choices : choices_) choices[operation.slot] = Choice::unset;
@@ -113,7 +113,7 @@ void Side::put(BodySlot& slot, std::size_t world) {
   slot.world = static_cast<int>(world);
 }
 
-// Joints go first: Bullet's islands read the tags that bodies had, out of bounds for one that is gone.
+// Remove joints first: Bullet's islands would index their arrays with the stale tag of a removed body.
 void Side::remove(BodySlot& slot) {
   if (slot.body() == nullptr || slot.world == BodySlot::kLimbo) return;
   for (Joint& joint : joints_) {

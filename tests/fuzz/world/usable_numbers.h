@@ -3,18 +3,18 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 
-/// Makes numbers of an input into what Bullet can take at all.
+/// Maps numbers of an input to numbers that Bullet can handle.
 namespace polhode::fuzz {
 
 bool is_finite(const btVector3& v);
 bool is_finite(const btMatrix3x3& m);
-/// Pose, velocities and inverse inertia in the world.
+/// Checks pose, velocities and inverse world inertia.
 bool is_finite(const btRigidBody& body);
-/// Pose and velocities.
+/// Checks pose and velocities.
 bool is_finite(const btMultiBody& multibody);
 
-/// A mass or moment whose inverse is a number: no library can turn a body without one. 0 is allowed where it
-/// means that the body does not turn about the axis.
+/// Returns a mass or moment whose inverse is finite, which any library needs. 0 is allowed where it means
+/// that the body does not turn about the axis.
 btScalar inertia(btScalar x, bool zero_is_allowed);
 btVector3 moments(const btVector3& v);
 

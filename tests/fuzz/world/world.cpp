@@ -20,7 +20,7 @@ btDefaultCollisionConstructionInfo small_pools() {
   return info;
 }
 
-// Bullet's classes have no accessors for these.
+// Gives access to protected members of Bullet's classes.
 struct Times : btDiscreteDynamicsWorld {
   static constexpr auto kLocal = &Times::m_localTime;
   static constexpr auto kFixedStep = &Times::m_fixedTimeStep;
@@ -66,7 +66,8 @@ World::World(Way way, WorldKind kind, std::function<void()> act)
     case WorldKind::mlcp:
       solver = std::make_unique<btMLCPSolver>(&direct_solver);
       make<btDiscreteDynamicsWorld>(way);
-      world->getSolverInfo().m_minimumSolverBatchSize = 1;  // each island by itself, as Bullet recommends
+      // solve each island separately, as Bullet recommends
+      world->getSolverInfo().m_minimumSolverBatchSize = 1;
       break;
     default:
       make<btDiscreteDynamicsWorld>(way);
@@ -89,7 +90,7 @@ std::vector<std::pair<int, int>> World::pairs() const {
   return pairs;
 }
 
-// As in btDiscreteDynamicsWorld::synchronizeSingleMotionState.
+// Same formula as btDiscreteDynamicsWorld::synchronizeSingleMotionState.
 btScalar World::interpolation_time(const btRigidBody& body) const {
   const btScalar local = (*world).*Times::kLocal;
   const btScalar fixed_step = (*world).*Times::kFixedStep;

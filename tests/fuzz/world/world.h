@@ -19,7 +19,7 @@ namespace polhode::fuzz {
 
 enum class Way : std::uint8_t { rotation_world, plugin, plain };
 
-/// What an application does in an action.
+/// Performs the application's operations in an action.
 class ScriptedAction final : public btActionInterface {
  public:
   explicit ScriptedAction(std::function<void()> act) : act_(std::move(act)) {}
@@ -30,25 +30,25 @@ class ScriptedAction final : public btActionInterface {
   std::function<void()> act_;
 };
 
-/// A world of Bullet's, rotated in one of the ways, with all that it stands on.
+/// A Bullet world with one way of rotation, and the objects that the world uses.
 struct World {
   World(Way way, WorldKind kind, std::function<void()> act);
   ~World();
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Returns true if the library rotates bodies of this world at present.
+  /// Returns true if the library currently rotates bodies of this world.
   bool is_rotated() const { return rotation != nullptr && (plugin == nullptr || plugin->attached()); }
-  /// The user indices of the bodies in each overlapping pair, in Bullet's order.
+  /// Returns the user indices of the bodies in each overlapping pair, in Bullet's order.
   std::vector<std::pair<int, int>> pairs() const;
   void set(const Operation& settings);
-  /// How far Bullet integrates the pose of a body for its motion state.
+  /// Returns the time by which Bullet extrapolates the pose of a body for its motion state.
   btScalar interpolation_time(const btRigidBody& body) const;
 
   btSoftBodyRigidBodyCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
   btDbvtBroadphase broadphase;
-  btDantzigSolver direct_solver;  // of an MLCP solver
+  btDantzigSolver direct_solver;  // for the MLCP solver
   std::unique_ptr<btConstraintSolver> solver;
   Rope rope;
   Pendulum pendulum;
@@ -56,8 +56,8 @@ struct World {
   std::unique_ptr<btDiscreteDynamicsWorld> world;
   RotationControl* rotation = nullptr;
   std::unique_ptr<RotationPlugin> plugin;
-  std::uint64_t incidents = 0;  ///< at the last check
-  std::uint64_t reports = 0;    ///< that the incident handler has got
+  std::uint64_t incidents = 0;  ///< number at the last check
+  std::uint64_t reports = 0;    ///< number of calls of the incident handler
 
  private:
   template <class Base>

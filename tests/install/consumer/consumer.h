@@ -2,11 +2,11 @@
 
 #include <btBulletDynamicsCommon.h>
 
-/// Ends the program with the condition's text if it does not hold.
+/// Ends the program and prints the condition if the condition is false.
 #define REQUIRE(condition) require((condition), #condition, __FILE__, __LINE__)
 void require(bool condition, const char* text, const char* file, int line);
 
-/// The parts of a Bullet world, for a body that nothing holds or touches.
+/// The parts of a Bullet world, for a body without joints and contacts.
 struct WorldParts {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};

@@ -15,7 +15,7 @@ void require(bool condition, const char* text, const char* file, int line) {
 
 int main() {
   polhode::require_matching_bullet();
-  // POLHODE_PACKAGE_VERSION is what the package file says, CMake's or pkg-config's.
+  // POLHODE_PACKAGE_VERSION is the version in CMake's or pkg-config's package file.
   REQUIRE(std::string(polhode::version()) == POLHODE_PACKAGE_VERSION);
   REQUIRE(std::string(POLHODE_VERSION_STRING) == POLHODE_PACKAGE_VERSION);
   rotates_a_world_whose_callbacks_and_user_pointer_are_taken();

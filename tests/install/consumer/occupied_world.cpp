@@ -1,5 +1,5 @@
-// Bullet has one pre-tick slot, one tick slot and one user pointer. This application, as many engines, has
-// taken all three; Polhode gets along without.
+// Bullet has one pre-tick callback, one tick callback and one user pointer. Like many engines, this
+// application uses all three. Polhode works without them.
 #include <polhode/bullet/rotation_plugin.h>
 
 #include "consumer.h"
@@ -36,7 +36,7 @@ void rotates_a_world_whose_callbacks_and_user_pointer_are_taken() {
     REQUIRE(application.ticks_ended == 40);
     REQUIRE(world.getWorldUserInfo() == &application);
     REQUIRE(plugin.rotation().rotation_of(parts.body).steps == 40);
-    // No rotation of Bullet's own swells a body; the scheme `matrix` does.
+    // None of Bullet's own ways of rotation swells a body; the scheme `matrix` does.
     REQUIRE(plugin.rotation().rotation_of(parts.body).state.R_WB.determinant() > 1.001);
   }
 

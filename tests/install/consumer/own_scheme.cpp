@@ -1,4 +1,4 @@
-// A rotation scheme written by the application, attached like a built-in one.
+// A rotation scheme written by the application, used like a built-in one.
 #include <polhode/bullet/rotation_world.h>
 #include <polhode/rotation_math.h>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-/// Turns about the world's z axis by a tenth of a radian in every step, whatever the angular velocity.
+/// Turns a body about the world's z axis by a tenth of a radian per step, whatever the angular velocity.
 class Turntable final : public polhode::RotationScheme {
  public:
   polhode::SchemeDescription description() const noexcept override {

@@ -1,4 +1,4 @@
-// An application that mixes Bullet's precisions, in the way its CMakeLists.txt says.
+// An application that mixes Bullet's precisions; its CMakeLists.txt says how.
 #include <btBulletDynamicsCommon.h>
 #include <polhode/bullet/rotation_world.h>
 

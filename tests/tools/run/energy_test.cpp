@@ -1,4 +1,4 @@
-// What polhode-run is for: bodies keep their energy in a program that was not compiled for it.
+// The purpose of polhode-run: bodies keep their energy in a program that was not compiled for the library.
 #include "tools/run/run_command.h"
 
 namespace polhode::run_test {
@@ -24,7 +24,8 @@ TEST_P(ProgramRunWithRotation, KeepsTheEnergyOfWorldsAtTheAddressOfDeadOnes) {
   expect_energy_kept(run_host("remade"), 3, GetParam().energy_tolerance);
 }
 
-// btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld, btDiscreteDynamicsWorldMt.
+// Covers btSoftRigidDynamicsWorld, btMultiBodyDynamicsWorld, btSoftMultiBodyDynamicsWorld,
+// btDiscreteDynamicsWorldMt.
 TEST_P(ProgramRunWithRotation, KeepsTheEnergyInEachKindOfWorld) {
   expect_energy_lost(run_plainly(GetParam().program, {"kinds"}));
   expect_energy_kept(run_host("kinds"), 1, GetParam().energy_tolerance);

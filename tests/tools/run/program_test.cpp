@@ -1,4 +1,4 @@
-// The program stays what it is: its arguments, output, exit code, signals and exceptions.
+// polhode-run preserves the program's arguments, output, exit code, signals and exceptions.
 #include <csignal>
 
 #include "tools/run/run_command.h"
@@ -42,7 +42,7 @@ TEST_P(ProgramUnderRun, PrintsNothingMoreIfQuiet) {
   EXPECT_EQ(run({"--quiet", GetParam().program, "one"}).standard_error, "");
 }
 
-// To the bit: Bullet itself steps it.
+// Bit-identical: Bullet itself steps the world.
 TEST_P(ProgramUnderRun, HasADeformableWorldLeftToBullet) {
   const CommandResult result = run({"--quiet", GetParam().program, "deformable"});
   EXPECT_EQ(result.standard_output, run_plainly(GetParam().program, {"deformable"}).standard_output);
@@ -67,7 +67,7 @@ TEST_P(ProgramUnderRun, MayReplaceTheIslandManagerLater) {
   EXPECT_THAT(result.standard_error, HasSubstr("1 rotated, 1 left to Bullet\n"));
 }
 
-// Each of the two Bullets goes on with its own function.
+// Each of the two Bullets keeps its own function.
 TEST_P(ProgramUnderRun, MayLoadALibraryThatHasBulletInItBesides) {
   const CommandResult result = run({POLHODE_LOADING_HOST, GetParam().hidden_worlds, POLHODE_OTHER_PLUGIN});
   const std::vector<double> ratios = energy_ratios(result);

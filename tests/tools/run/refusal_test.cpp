@@ -1,4 +1,4 @@
-// What is refused before the program starts, in one line.
+// Errors that polhode-run reports before the program starts, in one line each.
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -65,9 +65,9 @@ TEST(RunRefuses, AnExecutableThatEndsInItsHeader) {
   expect_refusal(run({file}), 2, "is not a whole ELF file");
 }
 
-// The loader ignores LD_PRELOAD for it.
+// The loader ignores LD_PRELOAD for such programs.
 TEST(RunRefuses, AProgramThatRunsWithAnotherUsersRights) {
-  if (::geteuid() != 0) GTEST_SKIP() << "root alone can give a file away";
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can change the owner of a file";
   const demos::TemporaryDirectory directory;
   const std::string program = directory / "program";
   std::filesystem::copy_file(POLHODE_LOADING_HOST, program);

@@ -11,13 +11,13 @@
 
 #include "demos/compare/command.h"
 
-/// Runs programs by polhode-run, and plainly.
+/// Runs programs with and without polhode-run.
 namespace polhode::run_test {
 
 using demos::CommandResult;
 
-// AddressSanitizer wants to be the first library that is loaded. The C library fills memory that is freed, so that
-// its use shows.
+// AddressSanitizer normally insists on being the first library loaded. The C library fills freed memory, so
+// that its use shows.
 inline const std::vector<std::string> kEnvironment = {"ASAN_OPTIONS=verify_asan_link_order=0", "LD_PRELOAD",
                                                       "MALLOC_PERTURB_=165"};
 
@@ -25,7 +25,7 @@ inline CommandResult run_plainly(const std::string& program, const std::vector<s
   return demos::Command(program, arguments, kEnvironment).wait();
 }
 
-/// words: options, program, arguments.
+/// `words`: options, program, arguments.
 inline CommandResult run(const std::vector<std::string>& words) {
   return run_plainly(POLHODE_RUN_EXECUTABLE, words);
 }
@@ -67,7 +67,7 @@ inline void expect_energy_kept(const CommandResult& result, std::size_t worlds, 
   for (const double ratio : ratios) EXPECT_LT(std::abs(ratio - 1.0), tolerance);
 }
 
-/// Bullet itself is what was measured here: it lost a sixth.
+/// Bullet itself loses a sixth of the energy in this scene.
 inline void expect_energy_lost(const CommandResult& result) {
   const std::vector<double> ratios = energy_ratios(result);
   ASSERT_EQ(ratios.size(), 1u) << result.standard_error;

@@ -1,4 +1,4 @@
-// The summary, as the program exits.
+// Tests the summary that is printed when the program exits.
 #include <unistd.h>
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// A plugin of a simulator's that brings its own Bullet, as a physics engine does.
+// A simulator plugin with its own Bullet, such as a physics engine.
 #include "tools/run/host/scene.h"
 
 extern "C" __attribute__((visibility("default"))) double step_hidden_world() {

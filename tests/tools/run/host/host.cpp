@@ -1,4 +1,5 @@
-// A program of a user's that steps worlds: host WHAT. It prints what is left of the bodies' rotational energy.
+// A user's program that steps worlds: host WHAT. Prints the ratio of the bodies' final to initial rotational
+// energy.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,7 +49,7 @@ void remake_a_world_at_its_address() {
   }
 }
 
-// Two substeps in each step; four are due in the last one, of which two are taken.
+// Takes two substeps in each step; in the last step four are due, but only two are taken.
 void step_in_substeps() {
   TumblingWorld world;
   for (int i = 0; i < kSteps; ++i) world.world().stepSimulation(2 * kDt, 2, kDt);
@@ -56,8 +57,8 @@ void step_in_substeps() {
   print_energy(world.energy_ratio());
 }
 
-// Dies after main, and another world is made then: in a destructor that was registered before any of a library that
-// is loaded with the first step.
+// Destroyed after main, when it makes another world. The destructor is registered before those of libraries
+// that are loaded at the first step, and therefore runs after them.
 struct StepsAfterMain {
   TumblingWorld world;
   StepsAfterMain() = default;
@@ -93,7 +94,7 @@ void make_a_body_not_finite() {
   world.step();
 }
 
-// The other process inherits the library's counts.
+// The child process inherits the library's counts.
 void fork_after_steps() {
   step_one_world();
   std::fflush(stdout);

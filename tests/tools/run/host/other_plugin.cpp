@@ -1,4 +1,4 @@
-// A plugin of a simulator's that has another Bullet in it. Returns what its steps return.
+// A simulator plugin that contains another Bullet. Returns the results of its steps.
 #include "tools/run/host/other_bullet.h"
 
 extern "C" __attribute__((visibility("default"))) double step_hidden_world() {

@@ -2,19 +2,19 @@
 
 namespace polhode::run_test {
 
-/// A world that no plugin can be attached to. Returns what is left of its body's rotational energy.
+/// Steps a world to which no plugin can be attached. Returns the ratio of final to initial rotational energy.
 double step_a_deformable_world();
 
-/// Likewise: its island manager is of the program's own class.
+/// Does the same for a world with an island manager class of the program's own.
 double step_a_world_with_its_own_islands();
 
-/// Likewise, but the manager comes after the first step.
+/// Does the same, but replaces the island manager after the first step.
 double step_a_world_that_gets_its_own_islands();
 
-/// Steps a world of each kind that a plugin can be attached to. Returns what the worst keeps of its body's energy.
+/// Steps a world of each kind to which a plugin can be attached. Returns the worst energy ratio.
 double step_each_kind_of_world();
 
-/// A world with a multibody without links, and a rigid body.
+/// Steps a world with a rigid body and a multibody without links.
 void step_a_multibody();
 
 }  // namespace polhode::run_test

@@ -2,13 +2,13 @@
 
 #include <btBulletDynamicsCommon.h>
 
-/// What the host programs simulate: plain Bullet, as a user has it, without this library.
+/// The scene of the host programs: plain Bullet, as a user has it, without this library.
 namespace polhode::run_test {
 
 inline constexpr btScalar kDt = btScalar(1) / 60;
 inline constexpr int kSteps = 600;
 
-/// What a world needs, and outlives it.
+/// The objects that a world uses, and which must outlive it.
 struct Surroundings {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};
@@ -16,7 +16,7 @@ struct Surroundings {
   btSequentialImpulseConstraintSolver solver;
 };
 
-/// A free body that tumbles: it starts to spin almost about its middle axis.
+/// A free body that tumbles: initially it spins almost about its middle axis.
 class TumblingBody {
  public:
   TumblingBody() {
@@ -26,7 +26,7 @@ class TumblingBody {
   }
 
   btRigidBody& body() { return body_; }
-  /// Returns 1 if the rotational energy is that of the start.
+  /// Returns 1 if the rotational energy is unchanged.
   double energy_ratio() const { return energy() / energy_at_start_; }
 
  private:
@@ -43,7 +43,7 @@ class TumblingBody {
   double energy_at_start_ = 0.0;
 };
 
-/// A world with one such body.
+/// A world with one tumbling body.
 class TumblingWorld {
  public:
   TumblingWorld() {
