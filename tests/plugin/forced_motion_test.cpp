@@ -1,4 +1,4 @@
-// A torque is a kick at the start of each step, dt I^-1 torque: symplectic Euler, of order 1.
+// A torque acts as a kick at the start of each step, dt I^-1 torque: symplectic Euler, of order 1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class ForcedMotion : public ::testing::TestWithParam<SchemePointer> {
   }
 };
 
-// The error is divided by 2 when the step is halved.
+// Halving the step halves the error.
 TEST_P(ForcedMotion, IsOfOrderOneInAConstantTorque) {
   const Vector3 inertia_B(1, 2, 3);
   const Vector3 torque_W(1, -2, 3);
@@ -43,7 +43,7 @@ TEST_P(ForcedMotion, IsOfOrderOneInAConstantTorque) {
   EXPECT_NEAR(std::log2(coarse / error(4000)), 1.0, 0.01);  // measured 0.9975 to 1.0011
 }
 
-// A ball on a spring of 1 Hz. Symplectic: the amplitude stays as it is.
+// A ball on a spring of 1 Hz. Symplectic: the amplitude is constant.
 TEST_P(ForcedMotion, KeepsTheSwingOfASpring) {
   const double dt = 1.0 / 60.0;
   const Vector3 inertia_B(2, 2, 2);
@@ -60,7 +60,7 @@ TEST_P(ForcedMotion, KeepsTheSwingOfASpring) {
   const double first = amplitude_of_two_seconds();
   for (int i = 0; i < 8; ++i) amplitude_of_two_seconds();
   const double last = amplitude_of_two_seconds();
-  // measured 1.0010 to 1.0011, of where in the swing the steps fall
+  // measured 1.0010 to 1.0011; depends on the phase at which the steps sample the swing
   EXPECT_NEAR(last / first, 1.0, 0.003);
 }
 

@@ -1,4 +1,4 @@
-// The reference against itself: its error is far below that of what it is held against.
+// Tests the reference's own error, which must be far below the errors measured against it.
 #include "support/free_motion_reference.h"
 
 #include <gtest/gtest.h>

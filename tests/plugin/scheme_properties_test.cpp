@@ -1,4 +1,5 @@
-// Every registered scheme is held to what it declares: a new one joins by its line in the list.
+// Checks every registered scheme against the properties that it declares; new schemes are included
+// automatically.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +49,7 @@ class EveryScheme : public ::testing::TestWithParam<SchemePointer> {
       state_from(inertia_B_, Quaternion(0.5, 0.1, -0.7, 0.5).normalized(), {3.0, 2.0, 4.0});
 };
 
-// The error is divided by 2^order when the step is halved.
+// Halving the step divides the error by 2^order.
 TEST_P(EveryScheme, ConvergesWithTheOrderItDeclares) {
   const double duration = 0.5;
   const RotationState exact = integrate_finely(inertia_B_, start_, duration, 20000);
@@ -58,11 +59,11 @@ TEST_P(EveryScheme, ConvergesWithTheOrderItDeclares) {
   };
   const std::optional<int> order = scheme().description().order;
   if (!order) {
-    // measured 5.5e-13, nearly all of it the reference's
+    // measured 5.5e-13, almost all of it from the reference
     EXPECT_LE(error(50), 2e-12);
     return;
   }
-  // Fine enough for the leading term of the error, coarse enough for it to stand far above rounding.
+  // Small enough for the leading term of the error to dominate, large enough for rounding not to matter.
   const int steps = *order == 1 ? 4000 : *order == 2 ? 1000 : 200;
   const double slope = std::log2(error(steps) / error(2 * steps));
   EXPECT_NEAR(slope, *order,
@@ -71,7 +72,7 @@ TEST_P(EveryScheme, ConvergesWithTheOrderItDeclares) {
 
 TEST_P(EveryScheme, KeepsWhatItDeclaresExactAndLosesWhatItDeclaresLost) {
   const SchemeDescription declared = scheme().description();
-  // A scheme of order 4 shows its loss in large steps only: steps of some 13 degrees, for other schemes of
+  // Schemes of order 4 lose measurably only in large steps: these take about 13 degrees per step, the others
   // 1.3.
   const bool high_order = declared.order.value_or(1) >= 4;
   const int steps = high_order ? 48 : 480;
@@ -130,7 +131,7 @@ TEST_P(EveryScheme, DependsOnItsArgumentsAlone) {
   EXPECT_EQ(at_rest.omega_W, Vector3::Zero());
 }
 
-// A kick is a change of the velocity that the step turns with.
+// A kick changes the velocity with which the step turns the body.
 TEST_P(EveryScheme, TakesAKickInTheStepThatBringsIt) {
   RotationState state;
   const double dt = 0.01;

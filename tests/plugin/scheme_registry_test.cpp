@@ -100,7 +100,7 @@ TEST(RegisteredScheme, ReplacesTheOneOfItsNameInItsPlace) {
   ASSERT_EQ(after.size(), before.size());
   for (std::size_t i = 0; i < after.size(); ++i)
     EXPECT_EQ(after[i], before[i] == first ? second : before[i]) << i;
-  EXPECT_EQ(first.use_count(), 2);  // `before` has it, the registry no longer
+  EXPECT_EQ(first.use_count(), 2);  // held by `before`, not by the registry any more
 }
 
 TEST(RegisteredScheme, CannotTakeTheNameOfABuiltInOne) {
@@ -133,7 +133,7 @@ TEST(RegisteredScheme, MayComeFromAnyThread) {
   for (std::thread& thread : threads) thread.join();
 }
 
-// Markdown takes a bare | for the end of the cell.
+// Escapes | characters, which would end a cell in Markdown.
 std::string in_a_table_cell(std::string_view text) {
   std::string escaped;
   for (const char character : text) {

@@ -1,4 +1,4 @@
-// The laws that ship, against their formulas and against theory.
+// Tests the library's torque laws against their formulas and against theory.
 #include "polhode/torque_laws.h"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ Vector3 in_world(const Torque& torque) {
   return torque.world_W + kOrientation * torque.body_B;
 }
 
-// 3 mu / r^5 r x I_W r, and the slope of the potential -3 mu / (2 r^5) r . I_W r + const.
+// 3 mu / r^5 r x I_W r, and the gradient of the potential -3 mu / (2 r^5) r . I_W r + const.
 TEST(TorqueLawsThatShip, GravityGradientIsTheSlopeOfItsPotential) {
   const Vector3 centre_W(1.0, 0.0, 2.0);
   const TorqueLawInput motion = motion_at({4.0, -3.0, 1.0});
@@ -102,8 +102,8 @@ TEST(TorqueLawsThatShip, RefuseParametersThatMakeNoSense) {
   EXPECT_THROW(internal_damping(1.0, -1.0), std::invalid_argument);
 }
 
-// A satellite in a circular orbit in the plane of x and y, its long axis along the radius but for a small angle: the
-// pitch librates at n sqrt(3 (I_roll - I_yaw) / I_pitch) (Hughes 1986).
+// A satellite in a circular orbit in the x-y plane, with its long axis nearly along the radius. The pitch
+// librates at n sqrt(3 (I_roll - I_yaw) / I_pitch) (Hughes 1986).
 TEST(TorqueLawsThatShip, GravityGradientLibratesAsTheorySays) {
   const double n = 0.5;                    // rad/s; radius 1 m, so that mu = n^2
   const Vector3 inertia_B(1.0, 2.0, 2.5);  // yaw, roll, pitch
@@ -134,7 +134,7 @@ TEST(TorqueLawsThatShip, GravityGradientLibratesAsTheorySays) {
   }
   ASSERT_GE(crossings, 50);
   const double measured = M_PI * (crossings - 1) / (last - first);
-  EXPECT_NEAR(measured / expected, 1.0, 1e-4);  // measured 4e-5, of which 2.5e-5 is the amplitude's
+  EXPECT_NEAR(measured / expected, 1.0, 1e-4);  // measured 4e-5, of which 2.5e-5 is due to the amplitude
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A scheme's turn at constant velocity, and its step in terms of it.
+// Tests a scheme's turn at constant velocity, and its step in terms of that turn.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -40,7 +40,7 @@ TEST_P(Turn, ChangesTheOrientationOnly) {
   }
 }
 
-// In small turns every scheme agrees with the exponential, and goes back the way it came.
+// For small turns every scheme agrees with the exponential, and the reverse turn returns to the start.
 TEST_P(Turn, IsByOmegaDt) {
   RandomBody random(42);
   for (int i = 0; i < 100; ++i) {
@@ -48,7 +48,7 @@ TEST_P(Turn, IsByOmegaDt) {
     const Vector3 omega_W = 1e-3 / kDt * random.omega_W().normalized();
     RotationState state = start;
     scheme().turn(omega_W, kDt, state);
-    // measured 3.3e-10 with matrix, 8.3e-11 by Euler's step, else 3.2e-16
+    // measured 3.3e-10 with matrix, 8.3e-11 with an Euler step, 3.2e-16 otherwise
     EXPECT_LE(angle_between(state.q_WB, exponential(kDt * omega_W) * start.q_WB), 5e-10);
     scheme().turn(omega_W, -kDt, state);
     EXPECT_LE(angle_between(state.q_WB, start.q_WB), 2e-15);  // measured 6.0e-16
@@ -61,7 +61,7 @@ TEST_P(Turn, AtNoVelocityKeepsTheOrientation) {
     const RotationState start = state_from(random.inertia_B(), random.q_WB(), random.omega_W());
     RotationState state = start;
     scheme().turn(Vector3::Zero(), kDt, state);
-    // measured 3.4e-16, of normalising a unit quaternion again
+    // measured 3.4e-16, from normalising a unit quaternion again
     EXPECT_LE((state.q_WB.coeffs() - start.q_WB.coeffs()).norm(), 1e-15);
     if (turn_velocity() == TurnVelocity::mean) {
       EXPECT_TRUE(same_bits(state, start));
@@ -87,7 +87,7 @@ TEST_P(Turn, MakesTheStepAtTheVelocityThatItDeclares) {
     farthest = std::max(farthest, angle_between(turned.q_WB, stepped.q_WB));
   }
   if (turn_velocity() == TurnVelocity::mean) {
-    EXPECT_GT(farthest, 1e-3);  // measured 0.029 to 0.032: the motion is curved
+    EXPECT_GT(farthest, 1e-3);  // measured 0.029 to 0.032: the velocity changes within the step
   } else {
     EXPECT_LE(farthest, 4e-15);  // measured 1.3e-15 with matrix
   }

@@ -1,5 +1,5 @@
-// Bodies that Bullet does not move are left alone: asleep, switched off, static, kinematic. A body that moves
-// again goes on from where it stopped, with nothing left of the momentum it had before.
+// The library leaves bodies alone that Bullet does not move: asleep, switched off, static or kinematic. A
+// body that moves again starts from where it stopped, without its former momentum.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -12,7 +12,7 @@ namespace {
 constexpr btScalar kDt = btScalar(1.0 / 64);
 const btQuaternion kTilted(btVector3(1, 2, 3).normalized(), btScalar(0.7));
 
-// A scene with one body, under one scheme.
+// A scene with one body and one scheme.
 template <class Way>
 struct Stage {
   Stage(const SchemePointer& scheme, const btVector3& omega_W)
@@ -20,7 +20,7 @@ struct Stage {
     scene.rotation().set_scheme(body, scheme);
   }
 
-  // Bullet waits two seconds.
+  // Bullet waits for two seconds.
   void let_it_fall_asleep() {
     body.forceActivationState(ACTIVE_TAG);
     for (int i = 0; i < 200 && body.getActivationState() != ISLAND_SLEEPING; ++i) scene.step(kDt);
@@ -34,7 +34,7 @@ struct Stage {
   btRigidBody& body;
 };
 
-// Below Bullet's threshold of 1 rad/s.
+// Below Bullet's sleeping threshold of 1 rad/s.
 const btVector3 kDrowsy = vector(0.3, 0.5, -0.4);
 
 template <class Way>
@@ -57,7 +57,7 @@ TYPED_TEST(Activity, OfASleepingBodyIsNone) {
   }
 }
 
-// Nor does it take steps, which would show where Bullet's own update changes no digit.
+// Checks the number of steps too: Bullet's own update of a body at rest may change no digit.
 TYPED_TEST(Activity, OfABodyAsleepFromTheStartIsNone) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -78,16 +78,16 @@ TYPED_TEST(Activity, OfABodyThatWakesStartsFromRestWhereItStopped) {
     const Matrix3 basis = basis_of(stage.body);
     stage.body.forceActivationState(DISABLE_DEACTIVATION);
     stage.scene.step(kDt, 100);
-    // measured 0 in single, 1.1e-16 in double precision, of making the quaternion a unit one again
+    // measured 0 in single, 1.1e-16 in double precision, from normalising the quaternion again
     EXPECT_LE(distance(basis_of(stage.body), basis), by_precision(0.0, 4e-16));
     EXPECT_TRUE(same(stage.body.getAngularVelocity(), btVector3(0, 0, 0)));
   }
 }
 
-// Woken by a torque, it moves as a body does that never was anything but at rest there.
+// A body woken by a torque moves like one that has always been at rest there.
 TYPED_TEST(Activity, OfABodyWokenByATorqueIsThatOfABodyAtRestThere) {
   for (const SchemePointer& scheme : built_in_schemes()) {
-    // One at rest there would not be swollen.
+    // A body that has always been at rest is not swollen.
     if (scheme->description().rotation == Conservation::lost) continue;
     SCOPED_TRACE(scheme->description().name);
     Stage<TypeParam> woken(scheme, kDrowsy);
@@ -125,7 +125,8 @@ TYPED_TEST(Activity, OfABodySwitchedOffIsNone) {
   }
 }
 
-// Bullet does so in collision detection, when a RotationWorld has begun the step, and lets the solver reach the body.
+// Bullet switches the body off in collision detection, after a RotationWorld has begun the step, and still
+// solves its joint.
 template <class Way>
 btVector3 velocity_after_being_switched_off(Way& scene, btRigidBody& body) {
   scene.template join<btHingeConstraint>(body, btVector3(1, 0, 0), btVector3(0, 1, 1).normalized());
@@ -163,7 +164,7 @@ TYPED_TEST(Activity, OfStaticAndKinematicBodiesIsTheApplications) {
   EXPECT_TRUE(same(fixed.getWorldTransform().getBasis(), btMatrix3x3::getIdentity()));
 }
 
-// Led by the application for a while, then let go with the velocity that Bullet found in its path.
+// The application moves the body, then releases it with the velocity that Bullet derived from its path.
 TYPED_TEST(Activity, OfABodyLetGoAfterItWasKinematicGoesOnAsItWasLed) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -186,7 +187,7 @@ TYPED_TEST(Activity, OfABodyLetGoAfterItWasKinematicGoesOnAsItWasLed) {
     EXPECT_LT((omega_W - Vector3(0, 0, led_speed)).norm(), by_precision(1e-4, 1e-12));
     stage.scene.step(kDt);
     const Vector3 turn = turn_between(let_go_at, basis_of(body));
-    // measured 1.02e-5, of the schemes' laws: 2 atan(omega dt/2), and atan(omega dt) of `matrix`
+    // measured 1.02e-5, from the schemes' laws: 2 atan(omega dt/2), and atan(omega dt) for `matrix`
     EXPECT_LT((turn - Vector3(0, 0, led_speed * kDt)).norm(), 3e-5);
     EXPECT_TRUE(shows(body, stage.state()));
   }

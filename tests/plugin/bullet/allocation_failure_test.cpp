@@ -1,5 +1,5 @@
-// Memory that runs out, at each allocation of the library's in turn: what is called at configuration throws
-// std::bad_alloc and changes nothing; a step goes on.
+// Lets each allocation of the library fail in turn. Configuration functions throw std::bad_alloc and change
+// nothing; steps continue.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,8 +18,8 @@ namespace {
 
 constexpr btScalar kDt = btScalar(1.0 / 60.0);
 
-// play(granted) plays something with memory for `granted` allocations, and returns whether that was too
-// little. Returns the number of allocations that were refused so.
+// play(granted) must run with memory for `granted` allocations and return true if more were needed. Returns
+// the number of allocations that were made to fail.
 template <class Play>
 std::size_t refuse_each_allocation(const Play& play) {
   std::size_t granted = 0;
@@ -66,7 +66,7 @@ bool same(const Managed& a, const Managed& b) {
          a.rotation.scheme == b.rotation.scheme && same_bits(a.rotation.state, b.rotation.state);
 }
 
-// The choice for a body shows when the body comes anew.
+// A new scheme would take effect when the body is added again.
 template <class Way>
 void expect_choice(Way& scene, btRigidBody& body, const Managed& before) {
   scene.world().removeRigidBody(&body);
@@ -75,15 +75,15 @@ void expect_choice(Way& scene, btRigidBody& body, const Managed& before) {
   EXPECT_EQ(managed(scene.rotation(), body).rotation.scheme, before.rotation.scheme);
 }
 
-// call(scene), refused each of its allocations in turn, leaves all bodies as they were, and works when called
-// again.
+// Lets each allocation of call(scene) fail in turn. Expects all bodies unchanged after a failure, and success
+// when called again.
 template <class Way, class Call>
 std::size_t expect_all_or_nothing(const Call& call) {
   return refuse_each_allocation([&](std::size_t granted) {
     Way scene;
     add_free_bodies(scene, 20);
     scene.step(kDt, 2);
-    add_free_bodies(scene, 10);  // the library has not seen these
+    add_free_bodies(scene, 10);  // unknown to the library so far
     std::vector<Managed> before;
     for (std::size_t i = 0; i < 20; ++i) before.push_back(managed(scene.rotation(), *scene.bodies()[i]));
     MemoryShortage shortage(granted, MemoryReturns::when_told);
@@ -166,13 +166,14 @@ TYPED_TEST(AllocationFailure, LeavesABodyThatWasToBeRestored) {
 }
 
 TYPED_TEST(AllocationFailure, LeavesTheIncidentHandler) {
-  const std::array<char, 100> large{};  // for the small buffer of a std::function
+  const std::array<char, 100> large{};  // too large for the small buffer of std::function
   expect_all_or_nothing<TypeParam>([&](TypeParam& scene) {
     scene.rotation().set_incident_handler([large](const Incident&) { EXPECT_EQ(large[0], 0); });
   });
 }
 
-// Adds and removes bodies, joints and schemes; some bodies are in contact, on hinges, or have a locked axis.
+// Adds and removes bodies and joints and changes schemes. Some bodies are in contact, on hinges, or have a
+// locked axis.
 template <class Way>
 class EventfulScene : public Way {
  public:
@@ -189,7 +190,7 @@ class EventfulScene : public Way {
     }
     for (int i = 0; i < 8; ++i) add_at(btVector3(btScalar(5 * i), 60, 60));
     watched_ = &add_at(btVector3(0, 80, 80));
-    // As many as fill the last batch of `exact` when another body is replaced.
+    // Fills the last batch of `exact` when another body is replaced.
     for (int i = 0; i < 9; ++i) {
       late_.push_back(&add_at(btVector3(btScalar(5 * i), 100, 100)));
       this->world().removeRigidBody(late_.back());
@@ -214,7 +215,7 @@ class EventfulScene : public Way {
     }
     return true;
   }
-  /// A free body in the world from start to end.
+  /// A free body that stays in the world throughout.
   const btRigidBody& watched() const { return *watched_; }
   const btRigidBody& replaced() const { return *replaced_; }
   std::size_t dynamic_bodies() {
@@ -285,7 +286,7 @@ class EventfulScene : public Way {
   std::optional<btRigidBody> replaced_;
 };
 
-// Returns the number of allocations refused. A body that the library knew before goes on as if nothing was.
+// Returns the number of failed allocations. Known bodies must be unaffected by failures.
 template <class Way>
 std::size_t play_eventful_scene(MemoryReturns returns) {
   EventfulScene<Way> undisturbed;
@@ -341,10 +342,10 @@ TYPED_TEST(AllocationFailure, LeavesIncidentsToBeReportedOnce) {
     for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(heard[i], i == 3 || i >= 10 ? 1 : 0) << i;
     return has_failed;
   });
-  EXPECT_EQ(refused, 0u);  // a report takes no memory
+  EXPECT_EQ(refused, 0u);  // a report allocates no memory
 }
 
-// Each thread that steps bodies has a scratch object of its own. One that cannot be had is replaced by a spare.
+// Each thread that steps bodies has its own scratch object. If one cannot be allocated, a spare is used.
 TEST(AllocationFailureOfAScratchObject, ChangesNoBit) {
   Scene<> undisturbed;
   add_free_bodies(undisturbed, 20);
@@ -373,7 +374,7 @@ TEST(AllocationFailureOfAScratchObject, ChangesNoBit) {
   EXPECT_EQ(without_scratch_object, 1);
 }
 
-// Takes a body out of the world when the solver is done.
+// Removes a body from the world after the solver has run.
 class RemovingWorld : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
@@ -389,8 +390,8 @@ class RemovingWorld : public btDiscreteDynamicsWorld {
   std::optional<MemoryShortage> shortage;
 };
 
-// The last body, which fills the hole of another batch, has been given something by the solver that no body of
-// that batch has.
+// The last body fills the hole in another batch. The solver has been given a gyroscopic term for the last
+// body, which no body of the other batch has.
 void remove_in_the_solve(const char* scheme, const btVector3& angular_factor) {
   const std::size_t refused = refuse_each_allocation([&](std::size_t granted) {
     Scene<RotationWorld<RemovingWorld>> scene;
@@ -419,7 +420,7 @@ TEST(AllocationFailureInTheSolve, LosesWhatTheSolverWasGivenButNoBody) {
   remove_in_the_solve("exact", btVector3(1, 1, 0));
 }
 
-// make(world), refused each of its allocations in turn, leaves the world to others.
+// Lets each allocation of make(world) fail in turn. After a failure the world must be free for others.
 template <class Make>
 std::size_t attach_with_each_allocation_refused(const Make& make) {
   return refuse_each_allocation([&](std::size_t granted) {
@@ -501,7 +502,7 @@ TEST(AllocationFailureOfARotationWorld, LeavesNothingOfIt) {
   using World = RotationWorld<btDiscreteDynamicsWorld>;
   std::optional<World> world;
   const auto make = [&] { world.emplace(&dispatcher, &broadphase, &solver, &configuration); };
-  make();  // the library's list of worlds stays
+  make();  // the library's list of worlds keeps its capacity
   world.reset();
   const std::size_t blocks_before = heap_blocks();
   const std::size_t refused = refuse_each_allocation([&](std::size_t granted) {

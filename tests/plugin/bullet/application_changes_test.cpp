@@ -1,5 +1,5 @@
-// The library takes over what the application changes between two steps, and the body goes on like one
-// started there. The rest stays the library's, in double precision.
+// The library adopts changes that the application makes between two steps: the body moves like one that
+// starts in the changed state. Everything else stays in the library's double precision.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -64,10 +64,10 @@ template <class Way>
 class ApplicationChanges : public ::testing::Test {};
 TYPED_TEST_SUITE(ApplicationChanges, BothWays, WayName);
 
-// To rounding: of the quantities that were not changed the one started afresh knows what the body says only.
+// Equal only to rounding: of the unchanged quantities, the new body knows Bullet's rounded values.
 TYPED_TEST(ApplicationChanges, AreWhereABodyStartedAfreshWouldStart) {
   for (const SchemePointer& scheme : built_in_schemes()) {
-    if (scheme->description().rotation == Conservation::lost) continue;  // started afresh it is not swollen
+    if (scheme->description().rotation == Conservation::lost) continue;  // the new body is not swollen
     for (const auto& [name, change] : kChanges) {
       SCOPED_TRACE(std::string(scheme->description().name) + ", " + name);
       TypeParam scene;
@@ -89,7 +89,7 @@ TYPED_TEST(ApplicationChanges, AreWhereABodyStartedAfreshWouldStart) {
   }
 }
 
-// Pose and velocity both set: nothing of what was is left, and the bits are the same.
+// With pose and velocity both set, nothing of the former state is left and results are bit-identical.
 TYPED_TEST(ApplicationChanges, OfPoseAndVelocityLeaveNothingOfWhatWas) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -109,7 +109,7 @@ TYPED_TEST(ApplicationChanges, OfPoseAndVelocityLeaveNothingOfWhatWas) {
 TYPED_TEST(ApplicationChanges, ShowInTheStateAtOnce) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
-    if (scheme->description().rotation == Conservation::lost) continue;  // swollen, it has other moments
+    if (scheme->description().rotation == Conservation::lost) continue;  // a swollen body has other moments
     for (const auto& [name, change] : kChanges) {
       SCOPED_TRACE(name);
       TypeParam scene;
@@ -128,7 +128,7 @@ TYPED_TEST(ApplicationChanges, ShowInTheStateAtOnce) {
   }
 }
 
-// Both ways give the same bits, whatever the application does.
+// RotationWorld and RotationPlugin give the same bits for all changes.
 TEST(ApplicationChangesUnderAPlugin, GiveTheBitsOfARotationWorld) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     for (const auto& [name, change] : kChanges) {
@@ -162,9 +162,9 @@ TYPED_TEST(ApplicationChanges, ThatNobodyMadeLeaveTheLibrarysDoubleState) {
     scene.step(kDt);
     scheme->step(free_step, alone);
     read_back_scene.step(kDt);
-    read_back_scene.rotation().set_scheme(read_back, scheme);  // starts afresh from what the body says
+    read_back_scene.rotation().set_scheme(read_back, scheme);  // restarts from Bullet's rounded values
   }
-  // The state has not once been through Bullet's precision.
+  // The state is never rounded to Bullet's precision.
   const RotationState state = scene.rotation().rotation_of(body).state;
   EXPECT_EQ(state.q_WB.coeffs(), alone.q_WB.coeffs());
   EXPECT_EQ(state.omega_W, alone.omega_W);

@@ -1,4 +1,5 @@
-// A world that somebody else made is not disturbed; one that cannot be hooked is refused in words.
+// A world that the application created keeps its own settings. Worlds that cannot be hooked are refused with
+// a clear message.
 #include <BulletDynamics/Dynamics/btSimpleDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <gmock/gmock.h>
@@ -29,7 +30,7 @@ std::string message_of(Function function) {
   return "nothing was thrown";
 }
 
-// An application's world whose two tick slots and user pointer are taken.
+// An application's world that uses both tick callbacks and the user pointer.
 struct Ticks {
   int before = 0;
   int after = 0;
@@ -82,7 +83,7 @@ TEST(ApplicationsWorld, MayBeASubclassOfItsOwn) {
   EXPECT_EQ(scene.world().rotation().rotation_of(body).steps, 3u);
 }
 
-// As Bullet's own btFractureDynamicsWorld: it overrides one addRigidBody, and so hides the other.
+// Overrides one overload of addRigidBody and so hides the other, like Bullet's btFractureDynamicsWorld.
 class OverridesOneAdd : public btDiscreteDynamicsWorld {
  public:
   using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;

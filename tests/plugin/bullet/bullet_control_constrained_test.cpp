@@ -1,6 +1,6 @@
-// The scheme `bullet` follows a plain Bullet world through joints and contacts too: to rounding, until the
-// scene itself multiplies small differences. A rod on a hinge stays within 800 ulp over 600 steps; each
-// test states its own figure.
+// The scheme `bullet` also follows a plain Bullet world through joints and contacts: to rounding, until the
+// scene itself amplifies small differences. A rod on a hinge stays within 800 ulp over 600 steps; each test
+// states its own figure.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kUlp = std::numeric_limits<btScalar>::epsilon();
 
-/// Returns the distance between two scenes of the same bodies, in ulp: of a radian, of a metre, of the
-/// fastest velocity of the scene (which is at least 1 rad/s or m/s). The worst body counts.
+/// Returns the largest distance over all bodies between two scenes of the same bodies, in ulp of a radian, of
+/// a metre, and of the fastest velocity in the scene (at least 1 rad/s or m/s).
 template <class Scene, class OtherScene>
 double ulps_apart(const Scene& scene, const OtherScene& other) {
   double fastest = 1, apart = 0, velocities_apart = 0;
@@ -42,7 +42,7 @@ class BulletControlConstrained : public ::testing::Test {
     ours_.rotation().set_default_scheme("bullet");
     function(ours_);
     function(bullets_);
-    // Else Bullet's solver turns a body that has sunk in by a further velocity of its own.
+    // Otherwise Bullet's solver turns penetrating bodies by an additional velocity.
     ours_.world().getSolverInfo().m_splitImpulse = false;
     bullets_.world().getSolverInfo().m_splitImpulse = false;
   }
@@ -77,7 +77,7 @@ TYPED_TEST(BulletControlConstrained, FollowsADrivenRod) {
   EXPECT_LT(this->worst_over(600), by_precision(250, 80));
 }
 
-// The pair tumbles: what a step rounds is ten thousand times as much a second later.
+// The pair tumbles, which amplifies rounding by a factor of ten thousand within a second.
 TYPED_TEST(BulletControlConstrained, FollowsAWeldForASecond) {
   this->build([](auto& scene) { add_welded_pair(scene, 20); });
   // measured 6,985 ulp in single, 2,276 in double precision
@@ -103,7 +103,7 @@ TYPED_TEST(BulletControlConstrained, FollowsABoxThroughItsImpact) {
   EXPECT_GT(this->bullets_.world().getDispatcher()->getNumManifolds(), 0);
 }
 
-// Boxes that spin on the floor, each with four corners in touch.
+// Boxes that spin on the floor on four corners each.
 TYPED_TEST(BulletControlConstrained, FollowsBoxesThatSpinOnTheFloor) {
   this->build([](auto& scene) {
     set_gravity(scene);
@@ -125,8 +125,8 @@ TYPED_TEST(BulletControlConstrained, FollowsAPileIntoItsFirstImpacts) {
   });
   EXPECT_LT(this->worst_over(30), by_precision(90, 60));  // measured 28 ulp in single, 21 in double precision
   ASSERT_GT(this->bullets_.world().getDispatcher()->getNumManifolds(), 0);
-  // A pile multiplies a difference with every impact: measured, over the next 30 steps, 4,707 ulp in single
-  // and 1,318 in double precision.
+  // A pile amplifies differences with every impact: measured, over the next 30 steps, 4,707 ulp in single and
+  // 1,318 in double precision.
   EXPECT_LT(this->worst_over(30), by_precision(15000, 4000));
 }
 

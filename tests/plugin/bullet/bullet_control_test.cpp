@@ -1,5 +1,5 @@
-// The scheme `bullet` follows a plain Bullet world in free flight, so that what other schemes do differently
-// is theirs. With contacts and joints: bullet_control_constrained_test.cpp.
+// The scheme `bullet` follows a plain Bullet world in free flight, so that deviations of other schemes are
+// their own. For contacts and joints see bullet_control_constrained_test.cpp.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kUlp = std::numeric_limits<btScalar>::epsilon();
 
-// Ours keeps a double quaternion, Bullet makes one of its matrix in every step: they part by rounding, in
-// double precision by a few ulp a step that the motion then carries on.
+// The library keeps a quaternion in double; Bullet converts its matrix to a quaternion in every step. They
+// differ by rounding, in double precision by a few ulp per step, which the motion then amplifies.
 class BulletControl : public ::testing::Test {
  protected:
   BulletControl() { ours_.world().rotation().set_default_scheme("bullet"); }
@@ -32,7 +32,7 @@ class BulletControl : public ::testing::Test {
     bullets_.add_free(inertia_B, omega_W);
   }
 
-  // The largest difference in orientation (rad) or relative velocity over the run, in ulp.
+  // Returns the largest difference in orientation (rad) or relative velocity over the run, in ulp.
   double worst_difference(btScalar dt, int steps) {
     double worst = 0.0;
     for (int i = 0; i < steps; ++i) {

@@ -1,5 +1,5 @@
-// Bodies are stepped eight at once. Each comes out as the only body of a world of its own, which is stepped
-// alone: to the last bit, whatever is done to it or to its neighbours.
+// Bodies are stepped in batches of eight. Each must get the same bits as in a world of its own, whatever
+// happens to the body or to its neighbours.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace polhode::testing {
 namespace {
 
 constexpr btScalar kStep = btScalar(1.0 / 60.0);
-constexpr int kBodies = 45;  // five batches of eight and five others
+constexpr int kBodies = 45;  // five batches of eight, and five more
 constexpr int kSteps = 40;
 
 btScalar fraction(int body, int of) {
@@ -35,7 +35,7 @@ btRigidBody& add_body(Way& way, int body) {
   return added;
 }
 
-// Else there would soon be none left that moves freely.
+// Otherwise no body would move freely after a while.
 void make_usual_again(btRigidBody& body) {
   body.setDamping(0, 0);
   body.setAngularFactor(btVector3(1, 1, 1));
@@ -49,10 +49,10 @@ void apply_torque_B(btRigidBody& body, const btVector3& torque_B) {
   body.applyTorque(body.getWorldTransform().getBasis() * torque_B);
 }
 
-// Changes a body as an application does before one of the steps; most bodies are left alone in most steps.
+// Changes some of the bodies before some of the steps, as an application does.
 void act_on(btRigidBody& body, int number, int step) {
   if ((number + step) % 20 == 0) make_usual_again(body);
-  // All of them at once.
+  // Changes all bodies in the same step.
   if (step % 40 == 13) body.getWorldTransform().setRotation(btQuaternion(4, 1, 2, 3).normalized());
   switch ((number * 5 + step * 7) % 211) {
     case 1:
@@ -62,7 +62,7 @@ void act_on(btRigidBody& body, int number, int step) {
       body.getWorldTransform().setRotation(btQuaternion(1, 2, 3, 4).normalized());
       break;
     case 3:
-    case 3 + 2 * 7:  // two steps later
+    case 3 + 2 * 7:  // two steps after the first torque
       apply_torque_B(body, btVector3(10, -20, 5));
       break;
     case 4:
@@ -116,7 +116,7 @@ void act_on(btRigidBody& body, int number, int step) {
   }
 }
 
-// The bits of everything that a step writes of a body.
+// Compares every bit that a step writes to a body.
 ::testing::AssertionResult are_same(btRigidBody& a, btRigidBody& b) {
   if (!same_bits(a, b)) return ::testing::AssertionFailure() << "pose or velocity";
   const auto same = [](const btVector3& u, const btVector3& v) {
@@ -138,7 +138,7 @@ void act_on(btRigidBody& body, int number, int step) {
       !same(a.getInterpolationAngularVelocity(), b.getInterpolationAngularVelocity())) {
     return ::testing::AssertionFailure() << "interpolated velocity";
   }
-  // The broadphase box shows the pose that was predicted in the step.
+  // The broadphase box depends on the pose predicted in the step.
   if (!same(a.getBroadphaseHandle()->m_aabbMin, b.getBroadphaseHandle()->m_aabbMin) ||
       !same(a.getBroadphaseHandle()->m_aabbMax, b.getBroadphaseHandle()->m_aabbMax)) {
     return ::testing::AssertionFailure() << "bounding box";
@@ -148,7 +148,7 @@ void act_on(btRigidBody& body, int number, int step) {
   return ::testing::AssertionSuccess();
 }
 
-/// Kicks bodies now and then, when Bullet has moved them.
+/// Kicks some bodies after Bullet has moved them.
 class LateKicks final : public btActionInterface {
  public:
   void updateAction(btCollisionWorld* world, btScalar /*dt*/) override {
@@ -165,7 +165,7 @@ class LateKicks final : public btActionInterface {
   int step_ = 0;
 };
 
-/// Another action of the application's comes before the plugin.
+/// Another action of the application runs before the plugin.
 class UnderRotationPluginAfterAnAction : public Scene<btDiscreteDynamicsWorld> {
  public:
   static constexpr const char* kName = "UnderRotationPluginAfterAnAction";
@@ -190,7 +190,7 @@ using Ways = ::testing::Types<InRotationWorld, UnderRotationPlugin, UnderRotatio
 template <class Way>
 class UntouchedBodies : public ::testing::Test {
  protected:
-  // Bodies that do not meet: what they have in common is the batch that they are in.
+  // Bodies that never touch and share only their batch.
   void start(const std::string& scheme) {
     together_ = std::make_unique<Way>();
     together_->rotation().set_default_scheme(scheme);
@@ -256,7 +256,7 @@ TYPED_TEST(UntouchedBodies, AreSteppedAsEachAloneWhateverAnApplicationDoes) {
   }
 }
 
-// One of a batch blows up; the seven others go on.
+// One body of a batch diverges; the other seven continue.
 TYPED_TEST(UntouchedBodies, GoOnWhenOneOfThemDiverges) {
   for (const char* name : {"semi_implicit_gyroscopic", "matrix"}) {
     this->start(name);

@@ -1,4 +1,4 @@
-// A contact callback may change a body within collision detection: the solver that follows uses what it set.
+// A contact callback may change a body during collision detection, and the following solve uses the changes.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -13,7 +13,7 @@ namespace polhode::testing {
 namespace {
 
 constexpr btScalar kDt = btScalar(1.0 / 60);
-constexpr int kBodies = 12;  // more than go together
+constexpr int kBodies = 12;  // more than one batch
 
 std::function<void(btRigidBody&)> on_contact;
 
@@ -26,7 +26,7 @@ bool call_on_contact(btManifoldPoint& /*point*/, const btCollisionObjectWrapper*
   return false;
 }
 
-/// Boxes that stand on the floor and spin; each asks for the callback.
+/// Spinning boxes on the floor, with contact callbacks enabled.
 template <class AnyScene>
 void add_spinning_boxes(AnyScene& scene) {
   set_gravity(scene);
@@ -51,7 +51,7 @@ class ContactCallback : public ::testing::Test {
     on_contact = nullptr;
   }
 
-  // In the first step that has contacts; returns what `change` was applied to.
+  // Steps until there are contacts and applies `change` to one body in that step.
   void step_with(const std::function<void(btRigidBody&)>& change) {
     add_spinning_boxes(scene_);
     add_spinning_boxes(untouched_);
@@ -79,7 +79,7 @@ class ContactCallback : public ::testing::Test {
 };
 TYPED_TEST_SUITE(ContactCallback, BothWays, WayName);
 
-// About the vertical, so that the floor does not answer: omega = torque dt / inertia.
+// A torque about the vertical causes no reaction from the floor: omega = torque dt / inertia.
 TYPED_TEST(ContactCallback, ThatAppliesATorqueIsFelt) {
   int count = 0;
   this->step_with([&](btRigidBody& body) {
@@ -146,7 +146,7 @@ TYPED_TEST(ContactCallback, ThatMovesTheBodyIsHeeded) {
   this->expect_others_untouched();
 }
 
-// A sleeping neighbour that is woken by the callback takes part in the next step.
+// A sleeping neighbour that the callback wakes takes part in the next step.
 TYPED_TEST(ContactCallback, ThatWakesABodyWakesIt) {
   auto& scene = this->scene_;
   btRigidBody& sleeper = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
@@ -165,7 +165,7 @@ TYPED_TEST(ContactCallback, ThatWakesABodyWakesIt) {
   EXPECT_NEAR(omega_of(sleeper).z(), 1, 1e-5);
 }
 
-/// A free body far from the boxes, in the step of whose contacts `change` is applied to it.
+/// A free body far from the boxes, to which a contact callback of the boxes applies `change`.
 template <class Way>
 class FreeBodyChangedByAContactCallback : public ContactCallback<Way> {
  protected:

@@ -1,5 +1,4 @@
-// Bodies on a floor and on each other: they gain no energy, rest as they do in plain Bullet, and stay at
-// rest.
+// Bodies on a floor and on each other gain no energy, come to rest as in plain Bullet, and stay at rest.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,14 +10,14 @@
 namespace polhode::testing {
 namespace {
 
-// Chooses how contacts push bodies apart: by the bodies' velocity, or by a velocity of its own (split;
-// Bullet's default).
+// Selects how penetrating bodies are pushed apart: through their velocity, or through a separate one (split
+// impulse, Bullet's default).
 template <class AnyScene>
 void split_impulse(AnyScene& scene, bool split) {
   scene.world().getSolverInfo().m_splitImpulse = split;
 }
 
-/// The energy of all bodies over a run, of the start's.
+/// The range of the total energy over a run, relative to the start.
 template <class AnyScene>
 Range watch_energy(AnyScene& scene, int steps_per_second, int seconds) {
   const double start = total_energy(scene, kGravity);
@@ -37,15 +36,15 @@ class ContactEnergy : public ::testing::Test {
 };
 TYPED_TEST_SUITE(ContactEnergy, BothWays, WayName);
 
-// It starts 1.3 % too deep, or as high: what Bullet's default gains by pushing it out.
+// The ellipsoid starts 1.3 % too deep; Bullet's default gains that much energy by pushing it out.
 TYPED_TEST(ContactEnergy, OfARollingEllipsoidIsAsInPlainBullet) {
   Scene<> plain;
   add_ellipsoid(plain);
   add_ellipsoid(this->scene_);
   const Range bullets = watch_energy(plain, 240, 10);
   const Range ours = watch_energy(this->scene_, 240, 10);
-  // measured 1.0132, plain Bullet 1.0135; left are 0.686 in single and 0.673 in double precision, plain
-  // Bullet 0.688 and 0.672
+  // measured 1.0132, plain Bullet 1.0135; the rest at the end is 0.686 in single and 0.673 in double
+  // precision, plain Bullet 0.688 and 0.672
   EXPECT_LT(ours.highest, bullets.highest);
   EXPECT_NEAR(ours.last, bullets.last, 6e-3);
 }
@@ -60,7 +59,7 @@ TYPED_TEST(ContactEnergy, OfADroppedSpinningBoxIsNotGained) {
     box.setAngularVelocity(btVector3(7, 3, 11));
     const Range energy = watch_energy(scene, steps_per_second, 10);
     EXPECT_LT(energy.highest, 1.0);  // measured 0.9993 and 0.99995
-    // measured 9.1e-8 in single, 4.3e-9 m in double precision: it lies flat
+    // measured 9.1e-8 in single, 4.3e-9 m in double precision: the box lies flat
     EXPECT_NEAR(box.getWorldTransform().getOrigin().z(), 0.1, 1e-6);
     EXPECT_LT(omega_of(box).norm(), 5e-6);  // measured 6.5e-7 in single, 7.0e-9 rad/s in double precision
   }
@@ -100,9 +99,9 @@ TYPED_TEST(ContactEnergy, OfACoinOnItsEdgeIsNotGainedAndItComesToRest) {
     }
     // measured 0.986 and 0.999; plain Bullet's default 1.14 at 60 Hz in double precision
     EXPECT_LT(highest, 1.0) << steps_per_second;
-    // The coin first meets both limits of rest, measured, after 1.1 and 0.24 s in single, 10.2 and 3.3 s in
-    // double precision; in plain Bullet after 2.0 and 1.4 s in single, never and after 3.5 s in double
-    // precision. The coin rocks on after that; the velocity after 20 s shows that it settles.
+    // The coin first falls below both limits of rest after, measured, 1.1 and 0.24 s in single, 10.2 and 3.3
+    // s in double precision; in plain Bullet after 2.0 and 1.4 s in single, never and after 3.5 s in double
+    // precision. The coin then still rocks; the velocity after 20 s shows that it settles.
     EXPECT_LT(rest_at, steps_per_second < 100 ? by_precision(3, 12) : by_precision(1, 4)) << steps_per_second;
     // measured 0.045 and 2.7e-4 rad/s in single, 0.092 and 5.7e-7 in double precision; plain Bullet 2.2e-4
     // and 9.4e-6 in single, 30 and 1.1e-6 in double precision
@@ -110,7 +109,7 @@ TYPED_TEST(ContactEnergy, OfACoinOnItsEdgeIsNotGainedAndItComesToRest) {
   }
 }
 
-// The stack may not sleep, so that it wanders.
+// Sleeping is disabled, so that the stack can drift.
 TYPED_TEST(ContactEnergy, OfAStackOfTenLetsItStandAsInPlainBullet) {
   for (const bool split : {false, true}) {
     Scene<> plain;
@@ -123,8 +122,8 @@ TYPED_TEST(ContactEnergy, OfAStackOfTenLetsItStandAsInPlainBullet) {
     scene.step(btScalar(1.0 / 120), 1200);
     const StackWander bullets = wander_of(plain);
     const StackWander ours = wander_of(scene);
-    // measured, split or not, 0.0019 rad and 0.058 m in single, 0.0021 and 0.030 in double precision; plain
-    // Bullet 0.0016 and 0.051, 0.0015 and 0.026
+    // measured, with and without split impulse, 0.0019 rad and 0.058 m in single, 0.0021 and 0.030 in double
+    // precision; plain Bullet 0.0016 and 0.051, 0.0015 and 0.026
     EXPECT_LT(ours.lean, 1.5 * bullets.lean) << split;
     EXPECT_LT(ours.wander, 1.3 * bullets.wander) << split;
   }
@@ -165,7 +164,7 @@ TYPED_TEST(ContactEnergy, OfAPileIsGoneWhenItFallsAsleep) {
   EXPECT_TRUE(same(scene.bodies().back()->getWorldTransform().getBasis(), resting));
 }
 
-// A contact that has no response holds nothing: the body is free, to the bit.
+// Contacts without response hold nothing: the body moves freely, bit for bit.
 TYPED_TEST(ContactEnergy, OfABodyInsideATriggerIsThatOfAFreeBody) {
   TypeParam free_scene;
   btRigidBody& free = free_scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
@@ -181,7 +180,7 @@ TYPED_TEST(ContactEnergy, OfABodyInsideATriggerIsThatOfAFreeBody) {
   EXPECT_GT(this->scene_.world().getDispatcher()->getNumManifolds(), 0);
 }
 
-// Carried by a platform that the application moves.
+// The application moves a platform, which carries the box.
 TYPED_TEST(ContactEnergy, OfABoxOnATurningPlatformIsThePlatforms) {
   auto& scene = this->scene_;
   set_gravity(scene);

@@ -1,5 +1,5 @@
-// Continuous collision detection stops a fast body at a wall within the step: it then turns through that part
-// of the step only.
+// Continuous collision detection stops a fast body at a wall within the step. The body then turns only
+// through that part of the step.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -13,8 +13,8 @@ constexpr double kDt = 1.0 / 64;
 constexpr double kSpin = 30;    // rad/s
 constexpr double kSpeed = 256;  // m/s; 4 m in a step
 
-// A box at rest before a thin wall, and the force that makes it a bullet within the step: the solver's own
-// look ahead goes by the velocity before the step, so that the wall is met by the clamp alone.
+// A box at rest in front of a thin wall, and the force that accelerates it to a bullet within the step. The
+// solver's own contact prediction uses the velocity before the step, so that only the clamp stops the body.
 template <class Scene>
 btRigidBody& add_bullet(Scene& scene) {
   btRigidBody& wall = scene.add_box(btVector3(btScalar(0.01), 5, 5), 0,
@@ -35,12 +35,12 @@ void fire(Scene& scene, btRigidBody& bullet) {
   scene.step(btScalar(kDt));
 }
 
-// The part of the step that the position moved through.
+// Returns the fraction of the step that the position moved through.
 double covered_part(const btRigidBody& bullet) {
   return bullet.getWorldTransform().getOrigin().x() / (kSpeed * kDt);
 }
 
-// Turns a free body through part of the step only: schemes that turn by one velocity find that of the whole
+// Turns a free body through part of a step. Schemes that turn by a single velocity compute it for the whole
 // step.
 void turn_part(const RotationScheme& scheme, const Vector3& inertia_B, double part, RotationState& state) {
   const TurnVelocity kind = scheme.description().turn_velocity;
@@ -76,7 +76,7 @@ TYPED_TEST(ContinuousCollision, TurnsOnlyThroughThePartOfTheStepThatWasFlown) {
   }
 }
 
-// A projectile that the application keeps from turning.
+// A projectile whose rotation the application has disabled.
 TYPED_TEST(ContinuousCollision, StopsABodyWithoutMoments) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -92,7 +92,7 @@ TYPED_TEST(ContinuousCollision, StopsABodyWithoutMoments) {
   }
 }
 
-// An engine's way to say that a body needs none: the threshold is never reached.
+// A threshold that is never reached, which engines use to disable the detection.
 TYPED_TEST(ContinuousCollision, ThatIsNeverDueChangesNoBit) {
   TypeParam with_scene;
   TypeParam without_scene;

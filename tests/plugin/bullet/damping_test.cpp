@@ -1,4 +1,4 @@
-// Damping that Bullet applies: the body turns by the velocity that it shows, whatever else acts.
+// With damping by Bullet, the body turns by the velocity that it reports, whatever else acts.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ class Damping : public ::testing::Test {
 };
 TYPED_TEST_SUITE(Damping, BothWays, WayName);
 
-// A damping of 1 stops the body in each step: what the torque gives in one is all that it has.
+// A damping of 1 stops the body in each step: its velocity is what the torque adds in one step.
 TYPED_TEST(Damping, WithATorqueTurnsTheBodyByTheVelocityThatItShows) {
   for (const double damping : {1.0, 0.999, 0.5}) {
     btRigidBody& body = this->scene_.add_free(btVector3(2, 2, 2), btVector3(0, 0, 0));
@@ -54,19 +54,20 @@ TYPED_TEST(Damping, WithATorqueHasTheVelocityOfPlainBullet) {
   }
 }
 
-// It scales the momentum: a tumble keeps its direction, and its energy falls by the square.
+// Damping scales the momentum: a tumble keeps its direction, and its energy falls by the square of the
+// factor.
 TYPED_TEST(Damping, AloneScalesTheMomentum) {
   btRigidBody& body = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   body.setDamping(0, btScalar(0.3));
   const Vector3 start_W = shown_angular_momentum_W(body);
   this->scene_.step(btScalar(kDt), 300);
   const Vector3 expected_W = start_W * std::pow(0.7, 5);
-  // measured 5.6e-6 in single (Bullet's own factor rounds), 1.4e-14 in double precision
+  // measured 5.6e-6 in single (Bullet's own factor is rounded), 1.4e-14 in double precision
   EXPECT_LT((shown_angular_momentum_W(body) - expected_W).norm() / expected_W.norm(),
             by_precision(2e-5, 5e-14));
 }
 
-// The momentum that a constrained body has beside its velocity is damped alike.
+// The momentum that a constrained body has in addition to its velocity is damped as well.
 TYPED_TEST(Damping, OnAHingeLeavesTheAxisAlone) {
   const HingedBody rod = add_hinged_rod(this->scene_, 15);
   rod.body.setDamping(0, btScalar(0.3));

@@ -1,5 +1,5 @@
-// `exact` in Bullet's worlds, in free flight: the plugin's state against the closed form in 50 digits, in
-// single-precision Bullet as in double.
+// `exact` in free flight in Bullet's worlds: compares the library's state with the closed form in 50 digits,
+// for both of Bullet's precisions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ Vector3 inertia_of(const btRigidBody& body) {
   return to_double(body.getInvInertiaDiagLocal()).cwiseInverse();
 }
 
-/// A body in flight, and the truth from the start that Bullet rounded.
+/// A body in flight, and its exact motion from the start as rounded by Bullet.
 struct Flight {
   explicit Flight(RotationControl& rotation, const btRigidBody& flying)
       : body(&flying),

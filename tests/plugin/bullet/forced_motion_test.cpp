@@ -1,5 +1,5 @@
-// Torques that an application applies through Bullet at each step reach every scheme as a kick at the start of
-// the step: with order 1, whether they are constant in the world or in the body's axes.
+// Torques that an application applies through Bullet in each step act in every scheme as a kick at the start
+// of the step, with order 1, whether they are constant in the world or in the body's axes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ TYPED_TEST_SUITE(ForcedMotion, BothWays, WayName);
 
 const Vector3 kTorque(1, -2, 3);
 
-// The torque to apply at the start of a step. Bullet's basis is what most applications have.
+// Returns the torque to apply at the start of a step. Most applications would use Bullet's basis.
 btVector3 torque_W(Torque torque, const btRigidBody& body, const RotationState& state) {
   switch (torque) {
     case Torque::constant_in_world:
@@ -63,7 +63,7 @@ TYPED_TEST(ForcedMotion, IsOfOrderOneInTheTorque) {
   }
 }
 
-// A torque that is there for one step brings its whole impulse, no more and no less.
+// A torque applied for one step contributes exactly its impulse.
 TYPED_TEST(ForcedMotion, OfASingleStepBringsTheTorquesImpulse) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 4), vector(0.5, 1, -0.5));
@@ -75,8 +75,8 @@ TYPED_TEST(ForcedMotion, OfASingleStepBringsTheTorquesImpulse) {
   EXPECT_LE((gained_W - kTorque / 64.0).norm(), 1e-15);  // measured 0
 }
 
-// In single precision the velocity of 100 rad/s does not change by 1e-7 rad/s: Bullet alone would lose it
-// all.
+// In single precision a change of 1e-7 rad/s does not change a velocity of 100 rad/s: Bullet alone would lose
+// the whole torque.
 TYPED_TEST(ForcedMotion, OfATorqueTooWeakForBulletsPrecisionAddsUp) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 4), vector(0, 0, 100));

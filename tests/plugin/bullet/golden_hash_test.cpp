@@ -1,5 +1,5 @@
-// A scene with everything in it ends in the same bits in every build of the library, on every machine. This
-// build is held against the hashes in the repository; `scripts/determinism` compares many builds.
+// A scene with all features ends in the same bits in every build of the library, on every machine. Compares
+// this build with the hashes in the repository; `scripts/determinism` compares many builds.
 #include <gtest/gtest.h>
 
 #include "determinism/golden_hashes.h"
@@ -9,7 +9,8 @@ namespace {
 
 class GoldenHash : public ::testing::Test {
  protected:
-  // Bullet's version does not tell how it was compiled, nor which C library it calls: its own results do.
+  // Bullet's version number does not show how Bullet was compiled or which C library it calls, so compare its
+  // own results.
   void SetUp() override {
     static const bool is_the_bullet = hash_in_plain_bullet<btDiscreteDynamicsWorld>() == kGoldenOfPlainBullet;
     if (!is_the_bullet) GTEST_SKIP() << "plain Bullet gives other bits than the 3.24 of Debian 12 on x86-64";

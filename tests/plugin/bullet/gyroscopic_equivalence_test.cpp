@@ -1,5 +1,5 @@
-// The handout's gyroscopic terms are the ones Bullet has: the velocity change of a scheme's step equals
-// Bullet's, over 10,000 random bodies.
+// The handout's gyroscopic terms are Bullet's: the velocity change in a step of the scheme equals Bullet's,
+// for 10,000 random bodies.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -24,7 +24,7 @@ struct RandomRigidBody {
     body.updateInertiaTensor();
   }
 
-  // The state and inertia as Bullet holds them, in double.
+  // Returns state and inertia as stored by Bullet, in double.
   Vector3 inertia_B() const { return to_double(body.getInvInertiaDiagLocal()).cwiseInverse(); }
 
   RotationState state() const {
@@ -43,9 +43,9 @@ struct RandomRigidBody {
   btRigidBody body;
 };
 
-// Differences are counted in ulp of what rounding the inputs alone would change: an ulp of the velocity, and
-// an ulp of the terms of omega x I omega (up to |omega|^2 times the largest moment) and of J through the
-// solution for the change.
+// Counts differences in ulp of the effect of rounding the inputs: an ulp of the velocity, and an ulp of the
+// terms of omega x I omega (up to |omega|^2 times the largest moment) and of J through the solution for the
+// change.
 
 TEST(GyroscopicEquivalence, ImplicitIsBulletsImplicitBodyTerm) {
   RandomBody random(3);
@@ -63,8 +63,7 @@ TEST(GyroscopicEquivalence, ImplicitIsBulletsImplicitBodyTerm) {
         kUlp * (speed + jacobian.inverse().norm() * (torque_impulse + jacobian.norm() * bullets.norm()));
     worst = std::max(worst, (rigid.change_by("implicit_gyroscopic") - bullets).norm() / ulp);
   }
-  // measured 2.8 in single precision, where the rounding is Bullet's alone, 9.4 in double, where it is both
-  // sides'
+  // measured 2.8 in single precision, where only Bullet rounds, 9.4 in double, where both sides round
   EXPECT_LE(worst, by_precision(6.0, 20.0));
 }
 

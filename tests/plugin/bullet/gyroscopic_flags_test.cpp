@@ -1,5 +1,5 @@
-// Bullet's own gyroscopic flags: off while Bullet solves a step of a body that the library turns, else the
-// term would count twice; at any other time they are the application's.
+// Bullet's gyroscopic flags are cleared while Bullet solves a step of a body that the library rotates,
+// because the term would count twice. At all other times the flags are the application's.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -14,7 +14,7 @@ constexpr int kImplicitWorld = BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD;
 constexpr int kImplicitBody = BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 constexpr int kEveryKind = kExplicit | kImplicitWorld | kImplicitBody;
 
-// The flags that an application may have set.
+// Combinations of flags that an application may set.
 constexpr int kChoices[] = {0, kExplicit, kImplicitWorld, kImplicitBody, kEveryKind};
 
 constexpr btScalar kDt = btScalar(1.0 / 60);
@@ -48,7 +48,7 @@ TYPED_TEST(GyroscopicFlags, AreTheApplicationsBetweenSteps) {
   }
 }
 
-/// Looks at the flags that a body has when its solver runs.
+/// Records the flags of a body when the solver runs.
 class WatchingSolver final : public btSequentialImpulseConstraintSolver {
  public:
   btScalar solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
@@ -76,7 +76,7 @@ TYPED_TEST(GyroscopicFlags, AreOffWhileBulletSolves) {
   EXPECT_EQ(solver.seen, BT_DISABLE_WORLD_GRAVITY);
 }
 
-// The flags do not decide how the body turns, so that changing them changes nothing.
+// The flags have no effect on managed bodies.
 TYPED_TEST(GyroscopicFlags, ChangeNoBit) {
   for (const int flags : kChoices) {
     TypeParam scene;
@@ -92,7 +92,7 @@ TYPED_TEST(GyroscopicFlags, ChangeNoBit) {
   }
 }
 
-// Removed from the world, without a word to the library.
+// Removed from the world without telling the library.
 TYPED_TEST(GyroscopicFlags, OfABodyTakenOutOfTheWorldAreAsTheyWere) {
   for (const int flags : kChoices) {
     btRigidBody& body = this->add_with_flags(flags | BT_DISABLE_WORLD_GRAVITY);
@@ -105,7 +105,7 @@ TYPED_TEST(GyroscopicFlags, OfABodyTakenOutOfTheWorldAreAsTheyWere) {
   }
 }
 
-// Taken to another world, which Bullet rotates.
+// Moved to another world, in which Bullet rotates the body.
 TYPED_TEST(GyroscopicFlags, OfABodyInAnotherWorldActThere) {
   Scene<> elsewhere;
   btRigidBody& body = this->add_with_flags(kImplicitBody);
@@ -122,7 +122,7 @@ TYPED_TEST(GyroscopicFlags, OfABodyInAnotherWorldActThere) {
   this->scene_.world().addRigidBody(&body);
 }
 
-// Taken out of the world by a tick callback, which runs within stepSimulation.
+// Removed from the world by a tick callback, within stepSimulation.
 TYPED_TEST(GyroscopicFlags, OfABodyTakenOutInATickAreAsTheyWere) {
   btRigidBody& body = this->add_with_flags(kImplicitWorld);
   for (const bool before : {true, false}) {
@@ -155,7 +155,7 @@ TYPED_TEST(GyroscopicFlags, AreGivenBackWhenTheDefaultSchemeIsCleared) {
   EXPECT_EQ(body.getFlags(), kImplicitWorld);
 }
 
-// Removed from a RotationWorld, or the plugin detached; and taken on again.
+// Removed from a RotationWorld, or the plugin detached; then added or attached again.
 TYPED_TEST(GyroscopicFlags, AreGivenBackWhenTheLibraryLetsGo) {
   for (const int flags : kChoices) {
     btRigidBody& body = this->add_with_flags(flags | BT_DISABLE_WORLD_GRAVITY);

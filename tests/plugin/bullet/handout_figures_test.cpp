@@ -1,5 +1,5 @@
-// The figures that the handout's equations give, through a real Bullet world: against their decimal values,
-// and to six digits and more against the equations written out once more (support/handout_reference.h).
+// Reproduces the handout's figures in a real Bullet world: compares with its decimal values, and to six
+// digits or more with an independent implementation of its equations (support/handout_reference.h).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,12 +17,13 @@ using World = RotationWorld<btDiscreteDynamicsWorld>;
 struct Figure {
   int step;
   double value;
-  double half_unit = 0.5e-4;  // of the last decimal given
+  double half_unit = 0.5e-4;  // of the last given decimal
 };
 
 class CubeExpansion : public ::testing::Test {
  protected:
-  // The handout's force, +-10000 N along x at the corners +-(1,1,1) m, for the first step: L = (0, 20, -20).
+  // Applies the handout's force, +-10000 N along x at the corners +-(1,1,1) m, in the first step: L = (0, 20,
+  // -20).
   void start(const char* scheme) {
     scene_.world().rotation().set_scheme(cube_, scheme);
     cube_.applyForce(btVector3(10000, 0, 0), btVector3(1, 1, 1));
@@ -61,8 +62,8 @@ TEST_F(CubeExpansion, MatrixBlowsUpNearStep1490) {
     step();
     ++steps_taken;
   }
-  // Rounding alone tips the axis, so the step depends on it: measured 1497 in single and 1495 in double
-  // precision, 1491 by the reference.
+  // Only rounding tips the axis and decides the step: measured 1497 in single and 1495 in double precision,
+  // 1491 for the reference.
   EXPECT_NEAR(steps_taken, 1490, 20);
 }
 
@@ -87,7 +88,7 @@ class Dzhanibekov : public ::testing::Test {
       }
       const double ratio = energy() / energy_at_start;
       EXPECT_NEAR(ratio, figure.value, figure.half_unit) << figure.step;
-      // Rounding grows with every flip: measured, at step 500, 5.4e-6 in single and 1.3e-8 in double
+      // Every flip amplifies rounding: measured, at step 500, 5.4e-6 in single and 1.3e-8 in double
       // precision; up to step 333 3.0e-7 and 3.9e-14.
       EXPECT_NEAR(ratio / (handout::energy(reference_) / energy_at_start), 1.0, by_precision(2e-5, 1e-7))
           << figure.step;
@@ -122,8 +123,8 @@ TEST_F(Dzhanibekov, SemiImplicitBlowsUpNearStep881) {
     scene_.step(btScalar(0.03));
     ++steps_taken;
   }
-  // The rounding of the first steps has grown to the size of the motion by then, and decides the step:
-  // measured 880 in single and 899 in double precision, 886 by the reference.
+  // By then the rounding of the first steps has grown to the size of the motion and decides the step:
+  // measured 880 in single and 899 in double precision, 886 for the reference.
   EXPECT_NEAR(steps_taken, 881, 40);
 }
 

@@ -1,4 +1,4 @@
-// The bodies that a RotationWorld integrates itself, beside those that it leaves to Bullet.
+// A RotationWorld integrates some bodies itself and leaves the others to Bullet.
 #include <LinearMath/btTransformUtil.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr btScalar kStep = btScalar(1.0 / 60.0);
 
-// Every kind of body between every other, so that the world's list is cut to pieces.
+// Interleaves bodies of every kind, so that the world's list is cut into many pieces.
 template <class World>
 void add_bodies_of_all_kinds(Scene<World>& scene) {
   for (int i = 0; i < 24; ++i) {
@@ -99,7 +99,7 @@ TEST(IntegratedBodies, AreBackInTheWorldsListInItsOrder) {
   for (int i = 0; i < list.size(); ++i) EXPECT_EQ(list[i], scene.bodies()[static_cast<std::size_t>(i)].get());
 }
 
-// One change that an application may make between two steps.
+// A change that an application may make between two steps.
 template <class World>
 void change(Scene<World>& scene, RotationControl& rotation, std::mt19937& random) {
   const std::size_t which = random() % scene.bodies().size();
@@ -188,7 +188,7 @@ TEST(IntegratedBodies, MayBeRemovedByAnIncidentHandler) {
   EXPECT_FALSE(sick.isInWorld());
   EXPECT_EQ(scene.world().rotation().incidents(), 1u);
   EXPECT_EQ(scene.world().getNonStaticRigidBodies().size(), static_cast<int>(scene.bodies().size()) - 1);
-  // Damped at 0.3 1/s from the next step on, about the axis of a moment of its own.
+  // Damped at 0.3 1/s in the two steps since, spinning about a principal axis.
   EXPECT_NEAR(neighbour.getAngularVelocity().z(), 7.0, 0.2);
   scene.world().addRigidBody(&sick);
 }
@@ -204,7 +204,7 @@ TEST(IntegratedBodies, TakeAnOrientationThatTheApplicationSetsAsItIs) {
   Matrix3 expected;
   for (int row = 0; row < 3; ++row) expected.row(row) << basis[row].x(), basis[row].y(), basis[row].z();
   const RotationState state = scene.world().rotation().rotation_of(body).state;
-  // measured 0; as a turn on top of the former orientation it would be known to Bullet's precision
+  // measured 0; if taken as a turn on top of the former orientation, it would have Bullet's precision
   EXPECT_LT(state.q_WB.angularDistance(Quaternion(expected).normalized()), 1e-15);
 }
 
@@ -218,7 +218,7 @@ TEST(IntegratedBodies, AreInterpolatedEachByItsOwnMeanVelocity) {
     btTransform back;
     btTransformUtil::integrateTransform(body->getInterpolationWorldTransform(), btVector3(0, 0, 0),
                                         body->getInterpolationAngularVelocity(), -kStep, back);
-    // It started as the identity. measured 1.7e-8 (single), 3.5e-17 (double precision)
+    // The body started at the identity. measured 1.7e-8 (single), 3.5e-17 (double precision)
     for (int row = 0; row < 3; ++row) {
       const btVector3 axis(row == 0, row == 1, row == 2);
       EXPECT_LT((back.getBasis()[row] - axis).length(), by_precision(5e-8, 1e-16));
@@ -226,7 +226,7 @@ TEST(IntegratedBodies, AreInterpolatedEachByItsOwnMeanVelocity) {
   }
 }
 
-// Bullet then kicks bodies after it has moved them, which it must have done itself.
+// Bullet then kicks bodies after moving them, and must therefore move them itself.
 TEST(IntegratedBodies, AreLeftToBulletUnderSpeculativeRestitution) {
   const auto add_shot = [](auto& scene) {
     scene.world().setApplySpeculativeContactRestitution(true);
@@ -250,7 +250,7 @@ TEST(IntegratedBodies, AreLeftToBulletUnderSpeculativeRestitution) {
           << "body " << i << ", step " << step;
     }
   }
-  EXPECT_GT(subclassed.bodies()[1]->getLinearVelocity().x(), btScalar(-190));  // they have met
+  EXPECT_GT(subclassed.bodies()[1]->getLinearVelocity().x(), btScalar(-190));  // the bodies have collided
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
-// Every kind of joint that Bullet has, and what else may hold a body: no joint comes apart and none gains
-// energy.
+// Every kind of joint in Bullet, and other constraints: no joint comes apart, and none gains energy.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -16,7 +15,7 @@ constexpr btScalar kDt = btScalar(1.0 / 60);
 template <class Way>
 class JointKinds : public ::testing::Test {
  protected:
-  // Two bodies half a metre above each other that turn and tumble together.
+  // Adds two bodies, half a metre above each other, that turn and tumble together.
   void add_pair() {
     a_ = &add(vector(0, 0, 0));
     b_ = &add(vector(0, 0, 1));
@@ -25,7 +24,7 @@ class JointKinds : public ::testing::Test {
   // A gap in m. measured 7.0e-3, plain Bullet 5.3e-3
   static constexpr double kGap = 0.01;
 
-  // Over ten seconds; what `off` says is watched from the first second on.
+  // Runs for ten seconds; checks `off` after the first second.
   void expect_held(const std::function<double()>& off, double bound) {
     const double start = energy_of(*a_) + energy_of(*b_);
     Range error, energy;
@@ -114,7 +113,7 @@ TYPED_TEST(JointKinds, Universal) {
   this->expect_held([&] { return this->gap_between(kUp, -kUp).norm(); }, this->kGap);
 }
 
-// A hinge that is at its limit.
+// A hinge at its limit.
 TYPED_TEST(JointKinds, HingeWithLimits) {
   this->add_pair();
   auto& hinge = this->scene_.template join<btHingeConstraint>(*this->a_, *this->b_, kUp, -kUp,
@@ -123,7 +122,7 @@ TYPED_TEST(JointKinds, HingeWithLimits) {
   this->expect_held([&] { return this->gap_between(kUp, -kUp).norm(); }, this->kGap);
 }
 
-// Two joints on one body: a rod held at both ends is a rod on a hinge.
+// Two joints on one body: a rod held at both ends is on a hinge.
 TYPED_TEST(JointKinds, TwoPointsMakeAHinge) {
   btRigidBody& rod = this->scene_.add_free(vector(1, 0.1, 1), vector(0, 0, 20),
                                            btQuaternion(btVector3(1, 0, 0), btScalar(0.4)));
@@ -146,7 +145,7 @@ TYPED_TEST(JointKinds, TwoPointsMakeAHinge) {
   EXPECT_NEAR(energy.last, 1, 0.01);
 }
 
-// Wheels in gear, each on a hinge: the second turns as the ratio says.
+// Two gear wheels, each on a hinge: the ratio determines the speed of the second.
 TYPED_TEST(JointKinds, Gear) {
   btRigidBody* wheels[2];
   for (btRigidBody*& wheel : wheels) {
@@ -161,7 +160,7 @@ TYPED_TEST(JointKinds, Gear) {
   EXPECT_NEAR(omega_of(*wheels[0]).z() / omega_of(*wheels[1]).z(), -2, 1e-6);  // measured -2 to the bit
 }
 
-// The partner is moved by the application: it turns, and the rod with it.
+// The application turns the partner, which turns the rod.
 TYPED_TEST(JointKinds, WeldToAKinematicBody) {
   auto& scene = this->scene_;
   btRigidBody& turntable = scene.add_kinematic(btTransform::getIdentity(), 0, btVector3(0, 0, 0));
@@ -181,7 +180,7 @@ TYPED_TEST(JointKinds, WeldToAKinematicBody) {
   EXPECT_LT(off.highest, 0.101);  // measured 0.1000, one step behind, as in plain Bullet
 }
 
-// A body axis about which nothing turns it (an inverse inertia of 0), in contact and on a joint.
+// An infinite moment about a body axis (an inverse inertia of 0), in contact and on a joint.
 TYPED_TEST(JointKinds, OfABodyWithAnInfiniteMoment) {
   auto& scene = this->scene_;
   btRigidBody& body =
@@ -196,7 +195,7 @@ TYPED_TEST(JointKinds, OfABodyWithAnInfiniteMoment) {
   }
 }
 
-// A joint that is switched off holds nothing: the body is free, to the bit.
+// A disabled joint holds nothing: the body moves freely, bit for bit.
 TYPED_TEST(JointKinds, DisabledLeavesTheBodyFree) {
   TypeParam free_scene;
   btRigidBody& free = free_scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
@@ -208,7 +207,7 @@ TYPED_TEST(JointKinds, DisabledLeavesTheBodyFree) {
   EXPECT_TRUE(same_motion(body, free));
 }
 
-// One that breaks lets go.
+// A broken joint releases the body.
 TYPED_TEST(JointKinds, BrokenLetsTheBodyGo) {
   btRigidBody& body = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   auto& hinge = this->scene_.template join<btHingeConstraint>(body, btVector3(0, 0, 0), btVector3(0, 0, 1));
@@ -217,11 +216,11 @@ TYPED_TEST(JointKinds, BrokenLetsTheBodyGo) {
   EXPECT_FALSE(hinge.isEnabled());
   const double start = energy_of(body);
   this->scene_.step(kDt, 600);
-  // It flies freely: measured 4.1e-8 in single, 8.9e-16 in double precision.
+  // The body moves freely: measured 4.1e-8 in single, 8.9e-16 in double precision.
   EXPECT_NEAR(energy_of(body) / start, 1, by_precision(2e-7, 5e-15));
 }
 
-// Joints report what they bear. A level balance beam bears its weight.
+// Joints report the forces that they transmit. The joint of a level balance beam bears its weight.
 TYPED_TEST(JointKinds, TellTheirForces) {
   auto& scene = this->scene_;
   set_gravity(scene);

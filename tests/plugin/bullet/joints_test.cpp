@@ -1,5 +1,5 @@
-// Bodies that joints hold: the joint keeps them together, and they neither gain energy nor lose the motion
-// that the joint leaves them. Each row is also run by plain Bullet, to show what the scene asks for.
+// Bodies on joints: the joint holds them together, and they keep their energy and the motion that the joint
+// leaves free. Plain Bullet runs the same scenes, to show how demanding they are.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -13,9 +13,9 @@ constexpr btScalar kDt = btScalar(1.0 / 60);
 
 struct HingeRun {
   double axis_off = 0;  // rad
-  double energy = 0;    // of the start's
+  double energy = 0;    // relative to the start
   double highest_energy = 0;
-  double turned = 0;  // of what the speed promises
+  double turned = 0;  // relative to the expected speed
 };
 
 template <class AnyScene>
@@ -55,13 +55,13 @@ TYPED_TEST(Joints, HingeHoldsARodThatIsMountedAskew) {
   EXPECT_NEAR(run.turned, 1, 1e-3);       // measured 1.0004
 }
 
-// 28 degrees a step. Bullet's default keeps 0.009 of the energy, and turns 0.17 of what it should.
+// 28 degrees per step. Bullet's default keeps 0.009 of the energy and turns 0.17 of the expected angle.
 TYPED_TEST(Joints, HingeHoldsAFastRodThatIsMountedAskew) {
   const HingeRun run = run_hinge(this->scene_, 30);
   // measured 5.2e-8 in single, 8.3e-16 in double precision
   EXPECT_LT(run.axis_off, by_precision(2e-7, 3e-15));
   EXPECT_GT(run.energy, 0.99);           // measured 1.030, gained in the first steps
-  EXPECT_LT(run.highest_energy, 1.035);  // measured 1.031: the aim, 1.02, is missed
+  EXPECT_LT(run.highest_energy, 1.035);  // measured 1.031; exceeds the target, 1.02
   EXPECT_NEAR(run.turned, 1, 0.02);      // measured 1.0147
 }
 
@@ -70,15 +70,15 @@ TYPED_TEST(Joints, HingeHoldsAFastRodForALongTime) {
   // measured 7.8e-8 in single, 1.2e-15 in double precision
   EXPECT_LT(run.axis_off, by_precision(2e-7, 4e-15));
   EXPECT_GT(run.energy, 0.99);           // measured 1.030
-  EXPECT_LT(run.highest_energy, 1.035);  // measured 1.031: the aim, 1.02, is missed
+  EXPECT_LT(run.highest_energy, 1.035);  // measured 1.031; exceeds the target, 1.02
 }
 
-// A radian a step: too long to resolve the rod's gyroscopic motion.
+// A radian per step: too long to resolve the rod's gyroscopic motion.
 TYPED_TEST(Joints, HingeHoldsARodThatTurnsARadianAStep) {
   const HingeRun run = run_hinge(this->scene_, 60);
   // measured 4.4e-8 in single, 1.4e-15 in double precision
   EXPECT_LT(run.axis_off, by_precision(2e-7, 5e-15));
-  // measured 9.7e-9 in single, 5.2e-14 in double precision, and 2e-8 on the way in single precision
+  // measured 9.7e-9 in single, 5.2e-14 in double precision, and 2e-8 during the run in single precision
   EXPECT_NEAR(run.energy, 1, by_precision(1e-7, 2e-13));
   EXPECT_NEAR(run.highest_energy, 1, by_precision(1e-7, 2e-13));
   // measured 5.2e-8 in single, 2.2e-16 in double precision
@@ -132,7 +132,7 @@ TYPED_TEST(Joints, WeldHoldsTwoParts) {
   }
 }
 
-// A wheel that starts a little askew and stirred.
+// A wheel that starts slightly askew and perturbed.
 TYPED_TEST(Joints, WheelStaysOnItsHinge) {
   for (const double speed : {50.0, 200.0}) {
     TypeParam scene;
@@ -152,7 +152,7 @@ TYPED_TEST(Joints, WheelStaysOnItsHinge) {
   }
 }
 
-// Plain Bullet holds the wheel's axis as well but turns the whole wrongly: its momentum is off by 0.081.
+// Plain Bullet also keeps the wheel's axis but turns the whole wrongly: its momentum is off by 0.081.
 TYPED_TEST(Joints, GimbalKeepsItsMomentumAndItsAxis) {
   auto& scene = this->scene_;
   const Gimbal gimbal = add_gimbal(scene, 100);
@@ -174,11 +174,11 @@ TEST(GimbalOfPlainBullet, TurnsWrongly) {
   const Gimbal gimbal = add_gimbal(scene, 100);
   const Vector3 momentum_W = gimbal.angular_momentum_W();
   scene.step(btScalar(1.0 / 240), 4800);
-  // measured 0.058, and 0.081 on the way
+  // measured 0.058, and 0.081 during the run
   EXPECT_GT((gimbal.angular_momentum_W() - momentum_W).norm() / momentum_W.norm(), 0.03);
 }
 
-// As in plain Bullet: it swings down, tears no joint and gains nothing.
+// The chain swings down as in plain Bullet, without tearing a joint or gaining energy.
 TYPED_TEST(Joints, ChainOfFiveSwingsAsInPlainBullet) {
   for (const int steps_per_second : {60, 240}) {
     TypeParam scene;

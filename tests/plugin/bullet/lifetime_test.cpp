@@ -1,4 +1,4 @@
-// Bodies come and go, plugins attach and detach, worlds die: in any order that Bullet itself allows.
+// Bodies come and go, plugins attach and detach, and worlds are deleted in any order that Bullet allows.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -16,7 +16,7 @@ constexpr btScalar kDt = btScalar(1.0 / 60.0);
 constexpr int kBornWith = BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY;
 const btVector3 kInertia(1, 2, 3);
 
-// Two bodies one after the other at one address.
+// Creates two bodies one after the other at the same address.
 class ReusedAddress : public ::testing::Test {
  protected:
   ~ReusedAddress() override {
@@ -93,7 +93,7 @@ TEST_F(ReusedAddress, IsAnsweredForBeforeTheFirstStep) {
   scene.world().removeRigidBody(&new_body);
 }
 
-// The last body of a scheme moves into the place of the one that is gone, when its own step has begun already.
+// The last body of a scheme moves into the lane of the removed one after its own step has begun.
 TEST_F(ReusedAddress, LeavesNoHoleThatIsStepped) {
   Scene<> scene;
   RotationPlugin plugin(scene.world());
@@ -115,7 +115,7 @@ TEST_F(ReusedAddress, LeavesNoHoleThatIsStepped) {
   scene.world().removeRigidBody(&new_body);
 }
 
-// The handler deletes a second body whose incident is still to be told.
+// The handler deletes a second body whose incident has not been reported yet.
 TEST(Incidents, AreNotToldOfBodiesThatAnEarlierOneTookOut) {
   Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
   btRigidBody& first = scene.add_free(btVector3(1, 2, 3), btVector3(1, 2, 3));
@@ -180,7 +180,7 @@ TEST(RemovedBody, IsForgottenByAStepWithoutIt) {
   EXPECT_EQ(plugin.rotation().rotation_of(body).scheme, default_scheme()->description().name);
 }
 
-// The plugin does nothing between detach and attach: Bullet turns the body, which has its own flags back.
+// Between detach and attach the plugin does nothing: Bullet rotates the body, which has its own flags again.
 TEST(DetachedPlugin, LeavesTheWorldToBulletAndGoesOnWhenAttachedAgain) {
   Scene<> scene;
   RotationPlugin plugin(scene.world());
@@ -255,7 +255,7 @@ TEST(RotationWorldLifetime, EndsWithBodiesInIt) {
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broadphase;
   {
-    // The solver is the world's own.
+    // The world creates its own solver.
     RotationWorld<btDiscreteDynamicsWorld> world(&dispatcher, &broadphase, nullptr, &configuration);
     world.addRigidBody(&body);
     world.stepSimulation(kDt, 0);

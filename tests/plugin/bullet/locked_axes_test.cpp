@@ -1,5 +1,5 @@
-// Axes about which a body does not turn: an inverse inertia of 0 (a body axis), an angular factor of 0 (a
-// world axis).
+// Axes about which a body does not turn: with an inverse inertia of 0 (a body axis) or an angular factor of 0
+// (a world axis).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 constexpr btScalar kDt = btScalar(1.0 / 64);
 const btQuaternion kTilted(btVector3(1, 2, 3).normalized(), btScalar(0.7));
 
-// Every choice of one or more of the three axes.
+// Returns every combination of one or more of the three axes.
 std::vector<btVector3> choices_of_axes() {
   std::vector<btVector3> choices;
   for (int mask = 1; mask < 8; ++mask) choices.push_back(vector(mask & 1, (mask >> 1) & 1, (mask >> 2) & 1));
@@ -95,7 +95,7 @@ TEST(LockedAxesOfBullet, Leak) {
   EXPECT_GT(std::abs(body.getAngularVelocity().x()), 0.5);
 }
 
-// A planar body turns about the world's z only, whatever its principal axes: I_zz, and so the spin, is
+// A planar body turns only about the world's z, whatever its principal axes: I_zz, and with it the spin, is
 // constant.
 TYPED_TEST(LockedAxes, LeaveAPlanarBodyItsSpin) {
   const SchemePointer scheme = find_scheme("semi_implicit_gyroscopic");
@@ -108,7 +108,7 @@ TYPED_TEST(LockedAxes, LeaveAPlanarBodyItsSpin) {
   EXPECT_NEAR(this->scene_.rotation().rotation_of(body).state.omega_W.z(), 4, 2e-15);
 }
 
-// As is common in games that lie in a plane. The solver's equations for the locked axes are singular then.
+// Common in games confined to a plane. The solver's equations for the locked axes are then singular.
 TYPED_TEST(LockedAxes, MayBeLockedByTheFactorAndTheInertiaAlike) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -130,7 +130,7 @@ TYPED_TEST(LockedAxes, MayBeLockedByTheFactorAndTheInertiaAlike) {
   EXPECT_EQ(this->scene_.rotation().incidents(), 0u);
 }
 
-// ... and turns about z only.
+// ... and turns only about z.
 TYPED_TEST(LockedAxes, LeaveAPlanarBodyInItsPlane) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -140,14 +140,14 @@ TYPED_TEST(LockedAxes, LeaveAPlanarBodyInItsPlane) {
     const Matrix3 turned = basis_of(body) * to_double(btMatrix3x3(kTilted)).transpose();
     // measured 2.2e-8 in single, 4.5e-16 in double precision
     EXPECT_LT((turned.col(2) - Vector3::UnitZ()).norm(), by_precision(1e-7, 2e-15));
-    // measured 3.88 to 4.13: where the velocity follows from L, or L from an implicit step, to first order
-    // only
+    // measured 3.88 to 4.13: schemes that compute the velocity from L, or L from an implicit step, are of
+    // first order here
     EXPECT_NEAR(omega_of(body).z(), 4, 0.3);
   }
 }
 
-// The body lies along the world's axes. For a body askew, Bullet's solver makes a velocity of the torque by
-// all of I_W^-1, whatever the factor.
+// The body is aligned with the world's axes. For other orientations Bullet's solver applies all of I_W^-1 to
+// the torque, whatever the factor.
 TYPED_TEST(LockedAxes, TakeNoTorqueOfABodyThatLiesStraight) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);

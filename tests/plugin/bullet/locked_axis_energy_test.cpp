@@ -1,4 +1,4 @@
-// A body that does not turn about some of the world's axes tumbles about the others without gaining energy.
+// A body that cannot turn about some of the world's axes tumbles about the others without gaining energy.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -16,7 +16,7 @@ const btVector3 kTwoLocked[] = {btVector3(1, 0, 0), btVector3(0, 1, 0), btVector
 template <class Way>
 class LockedAxisEnergy : public ::testing::Test {
  protected:
-  // Relative to the start's; the velocity about locked axes has to stay 0 to the bit.
+  // Returns the energy relative to the start; the velocity about locked axes must stay exactly 0.
   Range watch(btRigidBody& body, int seconds) {
     const double start = energy_of(body);
     Range energy;
@@ -67,8 +67,8 @@ TYPED_TEST(LockedAxisEnergy, IsNeverGainedWhicheverAxisIsLocked) {
   EXPECT_TRUE(this->stays_locked_);
 }
 
-// With two axes locked there is one angle: the moment about the third changes with it, and the energy is
-// kept.
+// With two axes locked, one angle remains. The moment about the free axis changes with that angle, and energy
+// is conserved.
 TYPED_TEST(LockedAxisEnergy, StaysWithTwoAxesLocked) {
   for (const btVector3& factor : kTwoLocked) {
     btRigidBody& body = add_locked(this->scene_, factor, vector(10, 10, 10) * factor);
@@ -80,7 +80,8 @@ TYPED_TEST(LockedAxisEnergy, StaysWithTwoAxesLocked) {
   EXPECT_TRUE(this->stays_locked_);
 }
 
-// A body that is set to turn about a locked axis goes on as the application says, or stops; it gains nothing.
+// An angular velocity about a locked axis continues as the application set it, or stops; the body gains no
+// energy.
 TYPED_TEST(LockedAxisEnergy, OfAnImpulseAboutALockedAxisIsNotGained) {
   btRigidBody& body = add_locked(this->scene_, btVector3(1, 1, 0), vector(10, 2, 0));
   this->scene_.step(kDt, 30);
@@ -90,8 +91,8 @@ TYPED_TEST(LockedAxisEnergy, OfAnImpulseAboutALockedAxisIsNotGained) {
   EXPECT_TRUE(this->stays_locked_);
 }
 
-// About the one axis that is free the body is a wheel with a moment that depends on its angle: the work of
-// the torque is the energy.
+// With one free axis the body is a wheel whose moment depends on its angle: its energy is the work of the
+// torque.
 TYPED_TEST(LockedAxisEnergy, OfATorqueAboutAFreeAxisIsItsWork) {
   for (int axis = 0; axis < 3; ++axis) {
     btVector3 free(0, 0, 0);
@@ -110,8 +111,8 @@ TYPED_TEST(LockedAxisEnergy, OfATorqueAboutAFreeAxisIsItsWork) {
   }
 }
 
-// Half a factor is no lock: a torque acts by half, and nothing is gained. Bullet's own solver halves impulses
-// too.
+// A factor of a half does not lock: it halves torques, and the body gains no energy. Bullet's own solver
+// halves impulses too.
 TYPED_TEST(LockedAxisEnergy, IsNotGainedWithAFactorOfAHalf) {
   btRigidBody& body = add_locked(this->scene_, vector(0.5, 0.5, 0.5), vector(10, 2, 3));
   const Range energy = this->watch(body, 60);
@@ -120,7 +121,7 @@ TYPED_TEST(LockedAxisEnergy, IsNotGainedWithAFactorOfAHalf) {
   EXPECT_NEAR(energy.lowest, 1, by_precision(1e-6, 1e-14));
 }
 
-// On the floor with one axis locked, as a game's upright character or a sidewise scroller's box.
+// On the floor with one axis locked, like a game's upright character or the box of a side-scroller.
 TYPED_TEST(LockedAxisEnergy, IsNotGainedInContact) {
   set_gravity(this->scene_);
   this->scene_.add_floor();

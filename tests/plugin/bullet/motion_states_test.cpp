@@ -1,4 +1,4 @@
-// Motion states are shown what Bullet would show them, and may do to the world what Bullet lets them.
+// Motion states get the poses that Bullet would give them, and may change the world as in Bullet.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace {
 constexpr btScalar kDt = btScalar(1.0 / 60);
 const btVector3 kInertia(1, 2, 3);
 
-/// Does something when it is shown a pose.
+/// Performs an action when Bullet sets its pose.
 class ActingMotionState final : public btMotionState {
  public:
   void getWorldTransform(btTransform& pose) const override { pose = shown; }
@@ -32,7 +32,7 @@ class ActingMotionState final : public btMotionState {
 template <class Way>
 class MotionStates : public ::testing::Test {
  protected:
-  // Lasts longer than the scene, whose bodies refer to it.
+  // Outlives the scene, whose bodies refer to it.
   ActingMotionState motion_state_;
   Way scene_;
 };
@@ -44,7 +44,7 @@ struct Grip {
   btTransform pose;
 };
 
-// The application takes a body into its hand at the end of a step.
+// The application makes the body kinematic at the end of a step.
 void take_hold(btDynamicsWorld* world, btScalar /*dt*/) {
   const Grip& grip = *static_cast<Grip*>(world->getWorldUserInfo());
   grip.body->setCollisionFlags(grip.body->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
@@ -123,7 +123,7 @@ TYPED_TEST(MotionStates, MayAddABody) {
   EXPECT_EQ(scene.rotation().rotation_of(*added).steps, 5u);
 }
 
-// With more bodies than go together, some asleep, some not rotated by the library.
+// More bodies than fit a batch, some asleep, some not rotated by the library.
 TYPED_TEST(MotionStates, MayRemoveABodyOfManyKinds) {
   std::vector<std::unique_ptr<ActingMotionState>> motion_states;
   TypeParam scene;
@@ -148,7 +148,7 @@ TYPED_TEST(MotionStates, MayRemoveABodyOfManyKinds) {
   EXPECT_GT(shown, 50);
 }
 
-// Bullet's own callers extrapolate by it between steps.
+// Applications extrapolate poses by this velocity between steps.
 TYPED_TEST(MotionStates, OfAFastSpinAreExtrapolatedByASpinOfThatSpeed) {
   for (const double speed : {3.0, 40.0, 200.0, 400.0}) {
     btRigidBody& body = this->scene_.add_free(kInertia, vector(0, 0, speed));
@@ -158,7 +158,7 @@ TYPED_TEST(MotionStates, OfAFastSpinAreExtrapolatedByASpinOfThatSpeed) {
   }
 }
 
-// A tumble, too: near the velocity at both ends of the step.
+// Also for a tumble: a velocity near those at both ends of the step.
 TYPED_TEST(MotionStates, OfAFastTumbleAreExtrapolatedByAVelocityNearIt) {
   btRigidBody& body = this->scene_.add_free(vector(0.4, 0.5, 0.8), vector(5, 3, 200));
   for (int i = 0; i < 60; ++i) {

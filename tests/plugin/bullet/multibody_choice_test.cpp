@@ -1,4 +1,5 @@
-// Which multibodies are rotated by which scheme: chosen, released, removed, refused; and what is reported of them.
+// Selects schemes for multibodies: chosen, released, removed, refused; and checks what the library reports
+// about them.
 #include <BulletSoftBody/btDeformableBodySolver.h>
 #include <BulletSoftBody/btDeformableMultiBodyConstraintSolver.h>
 #include <BulletSoftBody/btDeformableMultiBodyDynamicsWorld.h>
@@ -160,7 +161,8 @@ TYPED_TEST(MultibodyChoice, IsNotForLinksThatMoveOrAFixedBase) {
   for (btMultiBody* multibody : {&chain, &fixed}) this->scene_.world().removeMultiBody(multibody);
 }
 
-// With global velocities links go on with those of the last step, also fixed ones.
+// With global velocities Bullet moves even fixed links by their velocities of the last step, so the library
+// does not manage the multibody.
 TYPED_TEST(MultibodyChoice, IsAskedForAsItIsNow) {
   const std::vector<FixedPart> parts = {
       {btScalar(0.5), btVector3(1, 1, 1), btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0))}};
@@ -237,11 +239,12 @@ TYPED_TEST(MultibodyChoice, ReportsWhatIsNotFinite) {
     EXPECT_NEAR(multibody.getBaseOmega().length(), kOmega.length(), btScalar(1)) << change.what;
     EXPECT_TRUE(multibody.getBaseCollider()->isActive()) << change.what;
     this->scene_.remove_multibody(multibody);
-    this->scene_.step(kDt);  // sees that it is gone: the next one may come to its address
+    this->scene_.step(kDt);  // detects the removal: the next multibody may get the same address
   }
 }
 
-// An action that sees what the application set in each substep: within stepSimulation forces last over all of them.
+// An action that checks the application's settings in each substep: forces persist over all substeps of a
+// call of stepSimulation.
 class SwitchWatcher final : public btActionInterface {
  public:
   explicit SwitchWatcher(btMultiBody& multibody) : multibody_(multibody) {
@@ -266,8 +269,8 @@ class SwitchWatcher final : public btActionInterface {
   int substeps_ = 0;
 };
 
-// The switches are taken in each step; the torque and the force also of fixed links, and of a scheme that hands its
-// gyroscopic change over as a torque in a joint.
+// The library overrides the switches in each step. It also overrides torque and force for fixed links, and
+// for schemes that pass their gyroscopic change to a joint's solver as a torque.
 TYPED_TEST(MultibodyChoice, HasItsSwitchesAndForcesBackAfterAStep) {
   const std::vector<FixedPart> parts = {
       {btScalar(0.5), btVector3(1, 1, 1), btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0))}};
@@ -304,7 +307,7 @@ TYPED_TEST(MultibodyChoice, LeavesNothingBehindWhenItGoes) {
   EXPECT_GE(heap_blocks(), blocks + kMultibodies);
   for (btMultiBody* multibody : multibodies) this->scene_.world().removeMultiBody(multibody);
   this->scene_.step(kDt, 2);
-  EXPECT_LE(heap_blocks(), blocks + kMultibodies / 2);  // measured + 12: lists keep their room
+  EXPECT_LE(heap_blocks(), blocks + kMultibodies / 2);  // measured + 12: lists keep their capacity
 }
 
 TYPED_TEST(MultibodyChoice, ChangesTogetherWithRigidBodiesOrNotAtAll) {
@@ -323,7 +326,7 @@ TYPED_TEST(MultibodyChoice, ChangesTogetherWithRigidBodiesOrNotAtAll) {
     EXPECT_EQ(this->scheme_of(multibody), is_done ? "quaternion" : "exact") << granted;
     EXPECT_EQ(this->rotation().rotation_of(body).scheme, is_done ? "quaternion" : "exact") << granted;
   }
-  EXPECT_GE(granted, 4U);  // a batch and a family for each
+  EXPECT_GE(granted, 4U);  // one batch and one family for each kind
 }
 
 TYPED_TEST(MultibodyChoice, IsBulletsWhileThereIsNoMemory) {
@@ -354,7 +357,7 @@ TYPED_TEST(MultibodyChoice, StopsWhenItsSchemeDiverges) {
   EXPECT_TRUE(std::isfinite(multibody.getWorldToBaseRot().length()));
 }
 
-// In such a step the angle is past what double can count, and Bullet's own orientation is not finite.
+// In such a step the angle overflows a double, and Bullet's own orientation becomes non-finite.
 TYPED_TEST(MultibodyChoice, StopsInAStepTooLongToTurnIt) {
   const std::vector<FixedPart> parts = {
       {btScalar(0.5), btVector3(1, 1, 1), btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0))}};

@@ -1,6 +1,6 @@
-// Multibodies without links in contacts and joints, beside plain Bullet's. Bullet's solver takes their inertia from the
-// base itself, so they get the velocity of their turn with the plain inertia, or no gyroscopic term where the step is too
-// long for it.
+// Multibodies without links in contacts and joints, compared with plain Bullet. Bullet's solver takes the
+// inertia from the base itself. The bodies therefore get the velocity of their turn with the plain inertia,
+// or no gyroscopic term if the step is too long for it.
 #include <BulletDynamics/Featherstone/btMultiBodyFixedConstraint.h>
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ class MultibodyInContact : public ::testing::Test {
 };
 TYPED_TEST_SUITE(MultibodyInContact, BothWaysOfMultibodies, WayName);
 
-// Eight boxes of random shape, spinning, fall on each other and on the floor. Returns the largest E/E0.
+// Drops eight spinning boxes of random shape onto each other and the floor. Returns the largest E/E0.
 template <class AScene>
 double drop_boxes(std::uint32_t seed) {
   AScene scene;
@@ -117,10 +117,10 @@ TYPED_TEST(MultibodyInContact, StandsOnRigidBodiesAndUnderThem) {
   EXPECT_LE(lean(middle), 0.01);
 }
 
-// A rod held at two points of the z axis, at 45 degrees to it, as on a hinge.
+// A rod at 45 degrees to the z axis, held at two points of that axis, as on a hinge.
 struct Hinged {
-  double end_energy;      // over that at the start
-  double largest_energy;  // likewise
+  double end_energy;      // relative to the start
+  double largest_energy;  // relative to the start
   double axis_off_rad;
 };
 template <class AScene>
@@ -163,14 +163,14 @@ TYPED_TEST(MultibodyInContact, HoldsOnAHinge) {
     EXPECT_LE(hinged.axis_off_rad, plain.axis_off_rad + 1e-5)
         << of.rate;  // measured 3e-5 at most, plain 6e-5
   }
-  // With Bullet's 10 iterations the points give way, and that costs energy with and without the library.
+  // With Bullet's 10 iterations the joints give way, which costs energy with and without the library.
   const Hinged hinged = spin_on_hinge<TypeParam>(10, 10);
   const Hinged plain = spin_on_hinge<MultibodyScene<>>(10, 10);
   EXPECT_GE(hinged.end_energy, 0.98 * plain.end_energy);  // measured 0.868 and 0.874
   EXPECT_LE(hinged.axis_off_rad, 1.1 * plain.axis_off_rad);
 }
 
-// Returns the largest tilt (rad) in 10 s of a top at 0.5 rad whose foot stays in its place.
+// Returns the largest tilt (rad) within 10 s of a top that starts at 0.5 rad, with a fixed foot.
 template <class AScene>
 double largest_tilt(btScalar spin) {
   AScene scene;
@@ -200,7 +200,7 @@ TYPED_TEST(MultibodyInContact, IsATopThatDoesNotFall) {
   }
 }
 
-// A multibody and a rigid body welded together: the joint makes both of them constrained.
+// A multibody and a rigid body welded together: the joint makes both constrained.
 struct Welded {
   double angle_rad;
   double gap_m;
@@ -239,7 +239,7 @@ TYPED_TEST(MultibodyInContact, HoldsARigidBodyInAWeld) {
   EXPECT_LE(welded.gap_m, 1.1 * plain.gap_m);
 }
 
-// Steps that dt does not resolve tell a constrained body from a free one, which resolves any.
+// Unresolved steps show that a body counts as constrained: a free body never has any.
 TYPED_TEST(MultibodyInContact, CountsAsConstrainedWithItsPartners) {
   RotationControl& rotation = this->scene_.rotation();
   const btVector3 inertia_B(1, btScalar(1.1), btScalar(0.05)), fast_W(60, 20, 60);
@@ -251,7 +251,7 @@ TYPED_TEST(MultibodyInContact, CountsAsConstrainedWithItsPartners) {
   const btVector3 between = joined.getBasePos() - partner.getWorldTransform().getOrigin();
   this->scene_.template join_multibody<btMultiBodyPoint2Point>(&joined, -1, &partner, btVector3(0, 0, 0),
                                                                between);
-  // Lying on another.
+  // Lying on another multibody.
   const auto box = [&](btScalar z) -> btMultiBody& {
     btMultiBody& added = this->scene_.add_multibody(
         1, inertia_B, btTransform(btQuaternion::getIdentity(), {50, 0, z}), this->scene_.box(half_extents));

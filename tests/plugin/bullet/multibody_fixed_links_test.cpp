@@ -1,4 +1,4 @@
-// Multibodies whose links are all fixed: one rigid body, whose centre of mass is not the base's.
+// Multibodies with only fixed links are one rigid body, whose centre of mass differs from the base's.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,8 @@ std::vector<FixedPart> parts() {
            btTransform(turned.inverse(), btVector3(btScalar(-0.3), btScalar(0.8), btScalar(0.4)))}};
 }
 
-// The whole of a base and its parts, from what the multibody shows, in the world's axes.
+// Centre, velocity, angular momentum and energy of base and parts together, from Bullet's data, in world
+// axes.
 struct Whole {
   Vector3 centre, velocity, L_W;
   double energy;  // kinetic, J
@@ -72,7 +73,7 @@ Whole whole_of(const btMultiBody& multibody) {
 template <class AScene>
 btMultiBody& add_composite(AScene& scene) {
   btMultiBody& multibody = scene.add_free_multibody(kBaseInertia, kOmega, kTilted, parts());
-  // Its centre of mass rests.
+  // Sets the centre of mass at rest.
   const Whole whole = whole_of(multibody);
   multibody.setBaseVel(to_bullet(Vector3(-whole.velocity)));
   return multibody;
@@ -92,8 +93,9 @@ TYPED_TEST(FixedLinks, KeepEnergyMomentumAndCentre) {
   this->scene_.step(kDt, 3600);
   const Whole end = whole_of(multibody);
   const BodyRotation last = this->scene_.rotation().rotation_of(multibody);
-  // The multibody shows rounded values: measured 1.0e-6, 1.8e-6, 9e-4 m in single, 8e-15, 7e-15, 9e-13 m in double
-  // precision. Plain Bullet: energy times 557 and 1,666, the centre 470 m away and more.
+  // Bullet's values are rounded: measured 1.0e-6, 1.8e-6, 9e-4 m in single, 8e-15, 7e-15, 9e-13 m in double
+  // precision. In plain Bullet the energy grows by factors of 557 and 1,666, and the centre moves 470 m or
+  // more.
   EXPECT_NEAR(end.energy / start.energy, 1.0, by_precision(5e-6, 5e-14));
   EXPECT_LE((end.L_W - start.L_W).norm(), by_precision(1e-5, 5e-14) * start.L_W.norm());
   EXPECT_LE((end.centre - start.centre).norm(), by_precision(5e-3, 5e-12));
@@ -145,7 +147,7 @@ TYPED_TEST(FixedLinks, ShowTheirCollidersWhereTheyAre) {
   multibody.getLink(1).m_collider = nullptr;
 }
 
-// A joint without strength makes the body constrained, and does nothing.
+// A joint with no strength makes the body constrained but has no effect.
 TYPED_TEST(FixedLinks, KeepTheirCentreUnderAJointWithoutStrength) {
   btMultiBody& multibody = add_composite(this->scene_);
   auto& joint = this->scene_.template join_multibody<btMultiBodyPoint2Point>(
@@ -159,7 +161,7 @@ TYPED_TEST(FixedLinks, KeepTheirCentreUnderAJointWithoutStrength) {
   EXPECT_LE((end.centre - start.centre).norm(), by_precision(1e-4, 1e-13));
 }
 
-// A top of a base and a part on its axis, and the same top in one piece, each held at its foot.
+// A top made of a base and a part on its axis, and the same top in one piece, each held at its foot.
 TYPED_TEST(FixedLinks, MakeATopLikeOneInOnePiece) {
   const btVector3 base_inertia(btScalar(0.01), btScalar(0.01), btScalar(0.02));
   const btScalar base_mass = 1, part_mass = 1, height = btScalar(0.2);
@@ -187,7 +189,8 @@ TYPED_TEST(FixedLinks, MakeATopLikeOneInOnePiece) {
   EXPECT_LE(apart, by_precision(1e-5, 1e-12));  // measured 1.1e-6 and 4e-15
 }
 
-// A dumbbell: two boxes at the ends of a base, thrown to the floor.
+// Throws dumbbells, two boxes at the ends of a base, to the floor. Returns the largest energy relative to the
+// start.
 template <class AScene>
 double largest_energy_of_dumbbells() {
   double largest = 0;
@@ -231,7 +234,7 @@ TYPED_TEST(FixedLinks, GainNoEnergyInContacts) {
   EXPECT_GE(largest_energy_of_dumbbells<MultibodyScene<>>(), 1.2);  // plain Bullet: 1.32
 }
 
-// The centre of mass is not the base's: the velocity of one from that of the other overflows.
+// The centre of mass differs from the base's: computing the velocity of one from that of the other overflows.
 TYPED_TEST(FixedLinks, StopWhereTheirSpinHasNoNumber) {
   const std::vector<FixedPart> far = {
       {1, kBaseInertia, btTransform(btQuaternion::getIdentity(), btVector3(0, 5, -5))}};

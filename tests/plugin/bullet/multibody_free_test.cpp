@@ -1,5 +1,5 @@
-// Multibodies without links in free flight: rotated like rigid bodies, bit for bit, whatever Bullet's own class does to
-// them in a step.
+// Multibodies without links in free flight get the same bits as rigid bodies, whatever Bullet's multibody
+// class does in a step.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ const btVector3 kInertia(1, 2, 3);
 const btVector3 kNearMiddleAxis(1, 8, btScalar(0.5));
 const btQuaternion kTilted(btVector3(1, 2, 3).normalized(), btScalar(0.7));
 
-// The library takes moments from their inverses in Bullet's precision, those of multibodies too.
+// The library computes moments from Bullet's rounded inverses, for multibodies too.
 Vector3 rounded_moments(const btVector3& inertia_B) {
   const btVector3 inverse_B(1 / inertia_B.x(), 1 / inertia_B.y(), 1 / inertia_B.z());
   return to_double(inverse_B).cwiseInverse();
@@ -47,14 +47,14 @@ TYPED_TEST(MultibodyInFlight, HasTheBitsOfARigidBodyInEveryScheme) {
     scene.rotation().set_default_scheme(name);
     const btRigidBody& body = scene.add_free(kInertia, kNearMiddleAxis, kTilted);
     const btMultiBody& multibody = scene.add_free_multibody(kInertia, kNearMiddleAxis, kTilted);
-    // The multibody holds its rotation as the inverse quaternion: rounded, it is not that of the rigid body's matrix.
+    // A multibody stores the inverse quaternion, which rounds differently from a rigid body's matrix.
     const double start_apart = scene.rotation().rotation_of(multibody).state.q_WB.angularDistance(
         scene.rotation().rotation_of(body).state.q_WB);
     EXPECT_LE(start_apart, by_precision(3e-7, 1e-15)) << name;  // measured 8e-8 and 0
     scene.step(kDt, 20);
     EXPECT_EQ(scene.rotation().rotation_of(multibody).steps, 20U) << name;
   }
-  // From a start that both hold without rounding.
+  // Starts from an orientation that both store exactly.
   for (const SchemePointer& scheme : built_in_schemes()) {
     const std::string_view name = scheme->description().name;
     TypeParam scene;
@@ -76,7 +76,7 @@ TYPED_TEST(MultibodyInFlight, KeepsEnergyAndMomentumForAnHour) {
   const RotationState end = this->state_of(multibody);
   EXPECT_EQ(end.L_W, start.L_W);
   EXPECT_LE(std::abs(end.energy() / start.energy() - 1.0), 1e-13);  // measured 0 in both precisions
-  // The multibody shows that state rounded; measured 2.0e-7 in single, 2e-16 in double precision.
+  // Bullet's multibody stores the rounded state; measured 2.0e-7 in single, 2e-16 in double precision.
   EXPECT_NEAR(shown_rotational_energy(multibody) / start.energy(), 1.0, by_precision(1e-6, 1e-14));
 }
 
@@ -97,7 +97,7 @@ TYPED_TEST(MultibodyInFlight, TurnsAsTheClosedFormSays) {
   EXPECT_LE(truth.attitude_error_after(this->state_of(multibody).q_WB, 600, kDt), 1e-12);  // measured 4e-14
 }
 
-// Bullet clamps each coordinate of a multibody's velocity to 100, and so changes the axis of a spin.
+// Bullet clamps each velocity coordinate of a multibody to 100, which changes the axis of a fast spin.
 TYPED_TEST(MultibodyInFlight, KeepsASpinBeyondTheLargestCoordinate) {
   btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, btVector3(30, 180, 90));
   const RotationState start = this->state_of(multibody);
@@ -116,12 +116,12 @@ TYPED_TEST(MultibodyInFlight, IsPushedByATorqueLikeARigidBody) {
     this->scene_.step(kDt);
   }
   const RotationState of_body = this->scene_.rotation().rotation_of(body).state;
-  // measured 0 in both precisions: a torque that acts alone is taken in double
+  // measured 0 in both precisions: a torque that acts alone is applied in double
   EXPECT_LE((this->state_of(multibody).L_W - of_body.L_W).norm(), 1e-12);
   EXPECT_LE(this->state_of(multibody).q_WB.angularDistance(of_body.q_WB), 1e-12);
 }
 
-// Bullet's damping of a multibody: each second it loses 2 k (1 + |omega|) of its energy.
+// Bullet's damping of multibodies: the energy decays at the rate 2 k (1 + |omega|) per second.
 TYPED_TEST(MultibodyInFlight, IsDampedAsBulletDampsMultibodies) {
   const auto damped = [](auto& scene) -> btMultiBody& {
     btMultiBody& multibody = scene.add_free_multibody(btVector3(2, 2, 2), btVector3(1, 2, 2));
@@ -158,7 +158,7 @@ TYPED_TEST(MultibodyInFlight, KeepsItsOrientationInDoubleUnderAnotherInertia) {
   multibody.setBaseInertia(btVector3(4, 5, 6));
   const RotationState after = this->state_of(multibody);
   EXPECT_TRUE(same_bits(after.q_WB.coeffs(), before.q_WB.coeffs()));
-  EXPECT_LE((after.omega_W - before.omega_W).norm(), by_precision(1e-6, 1e-14));  // rounded: 3e-7 and 0
+  EXPECT_LE((after.omega_W - before.omega_W).norm(), by_precision(1e-6, 1e-14));  // measured 3e-7 and 0
 }
 
 TYPED_TEST(MultibodyInFlight, MovesItsBaseAsBulletDoes) {

@@ -1,5 +1,5 @@
-// What Bullet does to a free-floating chain of two links that move: the library leaves it as it is. The figures are those of
-// third_party_notes/bullet_multibodies.md.
+// The library leaves a free-floating chain of two movable links to Bullet. The figures of plain Bullet are
+// those of third_party_notes/bullet_multibodies.md.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -34,7 +34,8 @@ std::unique_ptr<btMultiBody> make_chain(Joint joint, btScalar rate) {
   return chain;
 }
 
-// Momenta about the common centre of mass, kinetic energy, and the inertia of the chain with its joint locked.
+// Linear and angular momentum about the common centre of mass, kinetic energy, and inertia of the chain with
+// its joint locked.
 struct Whole {
   Vector3 centre, momentum_W, L_W;
   Matrix3 inertia_W;
@@ -70,7 +71,7 @@ Whole whole_of(const btMultiBody& chain) {
   return whole;
 }
 
-// Turns and moves the chain as a whole, so that it has the momenta of `wanted`.
+// Sets rigid-body velocities of the whole chain that give it the momenta of `wanted`.
 void set_momenta(const Whole& wanted, btMultiBody& chain) {
   const Whole now = whole_of(chain);
   const Vector3 turn_W = now.inertia_W.inverse() * (wanted.L_W - now.L_W);
@@ -81,7 +82,7 @@ void set_momenta(const Whole& wanted, btMultiBody& chain) {
 }
 
 struct Drift {
-  double energy, momentum;  // over those at the start
+  double energy, momentum;  // relative to the start
 };
 Drift drift_in_a_minute(Joint joint, int rate, int hertz, bool keeps_momenta) {
   MultibodyScene<> scene;
@@ -97,7 +98,7 @@ Drift drift_in_a_minute(Joint joint, int rate, int hertz, bool keeps_momenta) {
   return {end.energy / start.energy, end.L_W.norm() / start.L_W.norm()};
 }
 
-// Prints the table of the notes.
+// Prints the table in the notes.
 TEST(MovingLinks, GainEnergyAndMomentumInBullet) {
   std::printf("joint      rad/s    Hz   E/E0  L/L0   with momenta kept: E/E0\n");
   for (const Joint joint : {Joint::revolute, Joint::spherical}) {

@@ -1,4 +1,4 @@
-// Time may run backwards: a free body comes back to where it started.
+// With negative steps time runs backwards: a free body returns to its start.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -13,7 +13,7 @@ constexpr btScalar kDt = btScalar(1.0 / 60);
 template <class Way>
 class NegativeSteps : public ::testing::Test {
  protected:
-  // Bullet's step of a fixed length cannot be negative, its step of a variable length can.
+  // Bullet allows negative steps of variable length, but not of fixed length.
   void step(btScalar dt, int count) {
     for (int i = 0; i < count; ++i) scene_.world().stepSimulation(dt, 0);
   }
@@ -55,7 +55,7 @@ TYPED_TEST(NegativeSteps, LeaveEveryBodyFiniteInContactsAndJoints) {
   EXPECT_EQ(scene.rotation().incidents(), 0u);
 }
 
-// A damping of 1 leaves (1 - 1)^-dt times the velocity, which is no number. The velocity stays what it was.
+// A damping of 1 multiplies the velocity by (1 - 1)^-dt, which is not finite. The velocity is kept instead.
 TYPED_TEST(NegativeSteps, LeaveAFullyDampedBodyFinite) {
   btRigidBody& body = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   this->step(kDt, 1);
@@ -68,7 +68,7 @@ TYPED_TEST(NegativeSteps, LeaveAFullyDampedBodyFinite) {
   EXPECT_EQ(this->scene_.rotation().incidents(), 1u);
 }
 
-// A step of no length is none.
+// Steps of zero length change nothing.
 TYPED_TEST(NegativeSteps, OrNoneAtAllChangeNothing) {
   btRigidBody& body = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   this->step(kDt, 10);

@@ -1,5 +1,5 @@
-// One NaN spreads: in plain Bullet a body that is not finite spoils a pile. With the library it does not, is
-// reported once and counted.
+// A NaN spreads: in plain Bullet one non-finite body ruins a pile. With the library it stays contained and is
+// reported and counted once.
 #include "bullet/body/non_finite.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ constexpr btScalar kNan = std::numeric_limits<btScalar>::quiet_NaN();
 constexpr btScalar kInfinity = std::numeric_limits<btScalar>::infinity();
 constexpr btScalar kDt = btScalar(1.0 / 60.0);
 
-// Twenty boxes settled into a pile.
+// Twenty boxes, settled into a pile.
 template <class World>
 void add_pile(Scene<World>& scene) {
   scene.world().setGravity(btVector3(0, 0, -10));
@@ -92,7 +92,7 @@ TEST_P(NonFiniteBody, LeavesItsNeighboursInARotationWorldAloneAndIsReportedOnce)
   ASSERT_EQ(reports.list.size(), 1u);
   EXPECT_EQ(reports.list[0].body, &spoiled);
   EXPECT_EQ(reports.list[0].kind, IncidentKind::non_finite_body);
-  EXPECT_EQ(reports.list[0].body_steps, 61u);  // told at the end of the step
+  EXPECT_EQ(reports.list[0].body_steps, 61u);  // reported at the end of the step
   EXPECT_EQ(rotation.incidents(), 5u);
   EXPECT_FALSE(rotation.rotation_of(spoiled).diverged);
 }
@@ -110,7 +110,7 @@ TEST_P(NonFiniteBody, LeavesEveryBodyFiniteAfterEveryStepOfAnAttachedPlugin) {
   }
   EXPECT_GE(plugin.rotation().incidents(), 1u);
   EXPECT_EQ(reports.list.size(), plugin.rotation().incidents());
-  // The pile goes on standing: nobody was thrown.
+  // The pile still stands: no box was thrown off.
   for (const auto& body : scene.bodies()) EXPECT_LE(body->getLinearVelocity().length(), 5);
 }
 
@@ -130,7 +130,7 @@ TEST_P(NonFiniteBody, IsReportedAloneByAnAttachedPlugin) {
 INSTANTIATE_TEST_SUITE_P(, NonFiniteBody, ::testing::ValuesIn(kCases),
                          [](const auto& spoiled) { return spoiled.param.name; });
 
-// A scheme that turns the body at a constant rate and gives NaN after a few steps.
+// A scheme that turns the body at a constant rate and returns NaN after a few steps.
 class Breaking final : public RotationScheme {
  public:
   SchemeDescription description() const noexcept override { return {"breaking", "", "", ""}; }
@@ -156,7 +156,7 @@ TEST(BrokenScheme, LeavesThePileFiniteAndTheBodyAtItsLastFiniteState) {
       ASSERT_EQ(bodies_not_finite(scene.bodies()), 0) << i;
     }
   };
-  // In contact a body turns by the solver's velocity: the scheme has nothing to say.
+  // In contact the body turns by the solver's velocity and the scheme is not used.
   step(60);
   EXPECT_EQ(rotation.incidents(), 0u);
   body.translate(btVector3(20, 0, 20));
@@ -196,7 +196,7 @@ TEST(IncidentHandler, ThatThrowsDoesNotReachTheStep) {
   EXPECT_TRUE(is_finite(body));
 }
 
-// Each of three bodies that diverge in one step is dealt with in another way.
+// The handler treats each of three bodies that diverge in the same step differently.
 TEST(IncidentHandler, MayChooseAnotherSchemeReleaseOrRemoveTheBody) {
   Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
   RotationControl& rotation = scene.world().rotation();
@@ -237,7 +237,7 @@ template <class Way>
 class Overflow : public ::testing::Test {};
 TYPED_TEST_SUITE(Overflow, BothWays, WayName);
 
-// The velocity is finite, the way that it leads in a step is not.
+// The velocity is finite, but the displacement in a step is not.
 TYPED_TEST(Overflow, OfThePositionLeavesTheBodyWhereItWas) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
@@ -248,7 +248,7 @@ TYPED_TEST(Overflow, OfThePositionLeavesTheBodyWhereItWas) {
   EXPECT_EQ(scene.rotation().incidents(), 1u);
 }
 
-// Bullet rotates a body that has diverged, here by a gyroscopic term that is no number.
+// The application writes a basis that is not a rotation; the reported quaternion still has unit length.
 TYPED_TEST(Overflow, OfAnOrientationThatIsNoRotationIsSomeRotation) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(1, 2, 3));
@@ -258,6 +258,7 @@ TYPED_TEST(Overflow, OfAnOrientationThatIsNoRotationIsSomeRotation) {
   EXPECT_NEAR(scene.rotation().rotation_of(body).state.q_WB.norm(), 1.0, 1e-12);
 }
 
+// Bullet rotates a diverged body, here with a gyroscopic term that is not finite.
 TYPED_TEST(Overflow, OfADivergedBodyIsTakenOutInTheSameStep) {
   TypeParam scene;
   const btScalar huge = std::numeric_limits<btScalar>::max();
@@ -269,7 +270,7 @@ TYPED_TEST(Overflow, OfADivergedBodyIsTakenOutInTheSameStep) {
   EXPECT_TRUE(scene.rotation().rotation_of(body).diverged);
 }
 
-// In double precision L = I omega is past the largest double: the body counts as at rest, and a step stops it.
+// In double precision L = I omega overflows: the body counts as at rest, and the next step stops it.
 TYPED_TEST(Overflow, OfTheMomentumStopsTheBodyAsADivergedOne) {
   const btScalar huge = std::numeric_limits<btScalar>::max();
   for (const SchemePointer& scheme : built_in_schemes()) {
@@ -298,7 +299,7 @@ TYPED_TEST(Overflow, OfTheMomentumStopsTheBodyAsADivergedOne) {
   }
 }
 
-// So is a body with a moment near the largest double, with a velocity that is none too fast.
+// A body with a moment near the largest double also stops, even at a moderate velocity.
 TYPED_TEST(Overflow, OfTheEnergyStopsTheBodyAsADivergedOne) {
   if (!kDoubleBullet) GTEST_SKIP() << "moments of single precision are far from the largest double";
   const auto huge = static_cast<btScalar>(1e300);
@@ -315,13 +316,13 @@ TYPED_TEST(Overflow, OfTheEnergyStopsTheBodyAsADivergedOne) {
   }
 }
 
-// Bullet wakes a body of an island that is awake right before it solves, when the library's step has begun
-// without the body: Bullet's integration alone moves it.
+// Bullet wakes a body of an awake island right before solving, after the library has begun the step without
+// the body: only Bullet's integration moves the body.
 TYPED_TEST(Overflow, OfABodyThatBulletWakesInTheStepIsTakenOutInTheSameStep) {
   TypeParam scene;
   btRigidBody& awake = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
   btRigidBody& asleep = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
-  // Their boxes overlap, which makes them one island; a sphere's does not reach into the other's corner.
+  // The bounding boxes overlap, which joins the two in one island, but the spheres do not touch.
   btCollisionShape& ball = scene.template shape<btSphereShape>(1);
   for (btRigidBody* body : {&awake, &asleep}) body->setCollisionShape(&ball);
   asleep.setCenterOfMassTransform(
@@ -337,7 +338,8 @@ TYPED_TEST(Overflow, OfABodyThatBulletWakesInTheStepIsTakenOutInTheSameStep) {
   EXPECT_EQ(scene.rotation().incidents(), 1u);
 }
 
-// The solver reaches a body that Bullet or the application has switched off, too, though it takes no step.
+// The solver also affects bodies that Bullet or the application has switched off, although these take no
+// step.
 TYPED_TEST(Overflow, OfABodyThatIsSwitchedOffIsTakenOutInTheSameStep) {
   TypeParam scene;
   const btScalar huge = std::numeric_limits<btScalar>::max();
@@ -355,7 +357,7 @@ TYPED_TEST(Overflow, OfABodyThatIsSwitchedOffIsTakenOutInTheSameStep) {
   EXPECT_GE(scene.rotation().incidents(), 1u);
 }
 
-// Likewise where Bullet does so in the step, and integrates the bodies itself.
+// The same if Bullet switches the body off within the step, also when Bullet integrates the bodies itself.
 TYPED_TEST(Overflow, OfABodyThatBulletSwitchesOffIsTakenOutInTheSameStep) {
   for (const bool by_bullet : {false, true}) {
     TypeParam scene;
@@ -368,14 +370,14 @@ TYPED_TEST(Overflow, OfABodyThatBulletSwitchesOffIsTakenOutInTheSameStep) {
     off.setLinearVelocity(btVector3(-huge, -huge, -huge));
     on.setLinearVelocity(btVector3(huge, huge, huge));
     scene.step(kDt);
-    EXPECT_EQ(off.getActivationState(), ACTIVE_TAG) << by_bullet;  // as a body that was set back is
+    EXPECT_EQ(off.getActivationState(), ACTIVE_TAG) << by_bullet;  // as set when the body was reset
     EXPECT_TRUE(is_finite(on)) << by_bullet;
     EXPECT_TRUE(is_finite(off)) << by_bullet;
     EXPECT_EQ(scene.rotation().incidents(), 2u) << by_bullet;
   }
 }
 
-// What is given to the solver is what a body is set back to: it is finite, however long the step.
+// The solver gets the state to which the body is reset, which is finite however long the step is.
 TYPED_TEST(Overflow, OfALockedBodysFreeTurnIsNotGivenToTheSolver) {
   const btScalar huge = std::numeric_limits<btScalar>::max();
   for (const SchemePointer& scheme : built_in_schemes()) {
@@ -393,7 +395,7 @@ TYPED_TEST(Overflow, OfALockedBodysFreeTurnIsNotGivenToTheSolver) {
   }
 }
 
-// A step in which a body diverges is none of its steps, though it was given to the solver unresolved.
+// A step in which a body diverges is not counted, even if it was passed to the solver as unresolved.
 TYPED_TEST(Overflow, InAnUnresolvedStepCountsAsNoStep) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 10, 10), btVector3(0, 0, 0));

@@ -1,4 +1,4 @@
-// Inertia that no real body has, and moments of any size.
+// Moments of inertia that no real body has, and of any magnitude.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,7 +47,7 @@ TYPED_TEST(OddInertia, ThatBreaksTheTriangleInequalityRuns) {
   }
 }
 
-// Free motion depends on the ratios of the moments only; a power of two changes no digit.
+// Free motion depends only on the ratios of the moments; scaling by a power of two changes no digit.
 TYPED_TEST(OddInertia, OfAnySizeGivesTheSameMotion) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -64,8 +64,7 @@ TYPED_TEST(OddInertia, OfAnySizeGivesTheSameMotion) {
   }
 }
 
-// Moments from a needle's to a millstone's in one body: whatever becomes of its motion, it stays finite, and
-// a scheme that fails is reported.
+// Moments twelve decades apart in one body: its motion stays finite, and a failing scheme is reported.
 TYPED_TEST(OddInertia, OfTwelveDecadesInOneBodyStaysFinite) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -80,7 +79,7 @@ TYPED_TEST(OddInertia, OfTwelveDecadesInOneBodyStaysFinite) {
   }
 }
 
-// And under a torque: the tiny body spins up a million times as fast as the middle one.
+// Also under a torque: the tiny body spins up a million times as fast as the medium one.
 TYPED_TEST(OddInertia, SpinsUpInProportion) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);

@@ -1,4 +1,4 @@
-// Rotors whose axis is none of their principal axes, on hinges: to the world and between two bodies, free and
+// Rotors on hinges that are not along a principal axis: hinged to the world or to another body, free or
 // driven.
 #include <gtest/gtest.h>
 
@@ -14,13 +14,13 @@ constexpr btScalar kDt = btScalar(1.0 / 60);
 struct Rotor {
   const char* name;
   btVector3 inertia_B;
-  double tilt;  // of its nearest principal axis from the hinge, rad
+  double tilt;  // angle between the hinge and the nearest principal axis, rad
 };
 
 const Rotor kRotors[] = {{"rod", vector(0.1, 1, 1), M_PI / 4}, {"propeller", vector(0.1, 1, 1.05), 0.05}};
 constexpr double kSpeeds[] = {5, 15, 30, 60};
 
-// The rod misses its aims there, half a radian a step.
+// The rod misses its targets at this speed, half a radian per step.
 bool is_rod_at_30(const Rotor& rotor, double speed) {
   return &rotor == &kRotors[0] && speed == 30;
 }
@@ -46,7 +46,7 @@ TYPED_TEST(OffAxisRotors, StayOnAHingeToTheWorld) {
       }
       // measured 5.2e-8 in single, 1.3e-15 in double precision; plain Bullet 5.5e-7, 1.1e-15
       EXPECT_LT(axis_off.highest, by_precision(2e-7, 5e-15));
-      // measured 1.031 for the rod at 30 rad/s, where the aim, 1.02, is missed; else at most 1.0077
+      // measured 1.031 for the rod at 30 rad/s, which exceeds the target, 1.02; at most 1.0077 otherwise
       EXPECT_LT(energy.highest, is_rod_at_30(rotor, speed) ? 1.035 : 1.01);
       EXPECT_GT(energy.last, 0.999);  // measured 0.99997
     }
@@ -74,7 +74,7 @@ TYPED_TEST(OffAxisRotors, StayOnADrivenHingeToTheWorld) {
   }
 }
 
-/// On a heavy frame that floats.
+/// The rotor on a heavy, free-floating frame.
 struct FramedRotor {
   btRigidBody& frame;
   btRigidBody& rotor;
@@ -98,15 +98,15 @@ FramedRotor add_framed(AnyScene& scene, const Rotor& rotor, double speed) {
   return {frame, turning, hinge, to_double(axis_B)};
 }
 
-// Bullet's ways to treat the gyroscopic term: leave it out, and three ways to add it.
+// Bullet's modes for the gyroscopic term: none, and three ways to add it.
 constexpr int kBulletsModes[] = {0, BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT,
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_WORLD,
                                  BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY};
 
 struct FramedRun {
   double axis_off;        // rad, after the first second
-  double highest_energy;  // of the start's; without a motor
-  double speed;           // in the end
+  double highest_energy;  // relative to the start; without a motor
+  double speed;           // at the end
 };
 
 template <class AnyScene>
@@ -135,25 +135,25 @@ double worst_of_bullets_modes(const Rotor& rotor, double speed, bool driven) {
   return worst;
 }
 
-// Rotor and frame wobble about their common momentum, truly so. From step to step a hinge follows that to the
-// length of a step only; Bullet's implicit terms, which take the wobble's energy away, have less to follow.
+// Rotor and frame wobble about their common angular momentum. Per step, the hinge can follow that motion only
+// to first order in dt. Bullet's implicit terms damp the wobble, which leaves less to follow.
 TYPED_TEST(OffAxisRotors, StayOnAHingeBetweenTwoBodies) {
   for (const Rotor& rotor : kRotors) {
     for (const double speed : kSpeeds) {
       SCOPED_TRACE(std::string(rotor.name) + " at " + std::to_string(speed));
       TypeParam scene;
       const FramedRun run = run_framed(scene, rotor, speed, false);
-      // The aim is at most 1e-3 rad above the worst of Bullet's modes, up to half a radian a step. measured
-      // at 5 and 15 rad/s 0.0029 and 0.0212 for the rod, 0.0004 and 0.0033 for the propeller; Bullet's worst
+      // Target: at most 1e-3 rad above the worst of Bullet's modes, up to half a radian per step. measured at
+      // 5 and 15 rad/s 0.0029 and 0.0212 for the rod, 0.0004 and 0.0033 for the propeller; Bullet's worst
       // 0.0030 and 0.0265, 0.0004 and 0.0027
       if (speed < 20) {
         EXPECT_LT(run.axis_off, worst_of_bullets_modes(rotor, speed, false) + 1e-3);
       } else {
-        // The rod misses the aim at 30 rad/s: measured 0.0656, Bullet's worst 0.0185. The propeller at 30 and
-        // both at 60 rad/s measured at most 6.2e-8 in single, 1.3e-15 in double precision.
+        // The rod misses the target at 30 rad/s: measured 0.0656, Bullet's worst 0.0185. The propeller at 30
+        // and both at 60 rad/s measured at most 6.2e-8 in single, 1.3e-15 in double precision.
         EXPECT_LT(run.axis_off, is_rod_at_30(rotor, speed) ? 0.07 : by_precision(2e-7, 5e-15));
       }
-      // measured 1.0265 for the rod at 30 rad/s, where the aim, 1.02, is missed; else at most 1.0068
+      // measured 1.0265 for the rod at 30 rad/s, which exceeds the target, 1.02; at most 1.0068 otherwise
       EXPECT_LT(run.highest_energy, is_rod_at_30(rotor, speed) ? 1.03 : 1.01);
     }
   }
@@ -165,19 +165,19 @@ TYPED_TEST(OffAxisRotors, StayOnADrivenHingeBetweenTwoBodies) {
       SCOPED_TRACE(std::string(rotor.name) + " at " + std::to_string(speed));
       TypeParam scene;
       const FramedRun run = run_framed(scene, rotor, speed, true);
-      // The aim is as above. The rod misses it at 30 rad/s: measured 0.0454, Bullet's worst 0.0277. measured
+      // Same target as above. The rod misses it at 30 rad/s: measured 0.0454, Bullet's worst 0.0277. measured
       // at 5, 15 and 60 rad/s 0.0013, 0.0114 and 0.0282 for the rod, Bullet's worst 0.0013, 0.0130 and
-      // 0.0381; at 5, 15, 30 and 60 rad/s 0.0001, 0.0012, 0.0017 and 0.0018 for the propeller, Bullet's
-      // worst 0.0001, 0.0013, 0.0044 and 0.0131.
+      // 0.0381; at 5, 15, 30 and 60 rad/s 0.0001, 0.0012, 0.0017 and 0.0018 for the propeller, Bullet's worst
+      // 0.0001, 0.0013, 0.0044 and 0.0131.
       const double bound =
           is_rod_at_30(rotor, speed) ? 0.05 : worst_of_bullets_modes(rotor, speed, true) + 1e-3;
       EXPECT_LT(run.axis_off, bound);
-      EXPECT_LT(run.speed, 0.95 * speed);  // measured 0.87 to 0.934: the frame turns the other way
+      EXPECT_LT(run.speed, 0.95 * speed);  // measured 0.87 to 0.934: the frame turns backwards
     }
   }
 }
 
-/// Returns how far the momentum of frame and rod gets from its start, relative to it.
+/// Returns the largest change of the momentum of frame and rod, relative to the start.
 template <class AnyScene>
 double momentum_off(AnyScene& scene, double speed) {
   const FramedRotor framed = add_framed(scene, kRotors[0], speed);
@@ -193,8 +193,8 @@ double momentum_off(AnyScene& scene, double speed) {
   return off.highest;
 }
 
-// Nothing outside acts on the frame and its rod. Beyond, at 60 rad/s, their momentum is not kept: measured
-// 1.27, plain Bullet 0.71.
+// No external force acts on the frame and its rod. At 60 rad/s, not tested here, their momentum is not kept:
+// measured 1.27, plain Bullet 0.71.
 TYPED_TEST(OffAxisRotors, KeepTheMomentumOfAFloatingFrame) {
   struct Row {
     double speed, bound;

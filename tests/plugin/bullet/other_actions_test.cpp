@@ -1,5 +1,5 @@
-// Other actions of the world see and change bodies whose step is done, whether they were added before the
-// plugin or after.
+// Other actions of the world see and change bodies after their step, whether they were added before or after
+// the plugin.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -90,7 +90,7 @@ TYPED_TEST(OtherActions, ThatStopABodyOnceStopIt) {
   EXPECT_LT(distance(basis_of(this->body_), stopped), 1e-15);  // measured 0
 }
 
-// A game's vehicle in flight.
+// A game's vehicle in the air.
 TYPED_TEST(OtherActions, ThatLetABodyTurnAboutTheVerticalOnlyDoSo) {
   btVector3 set;
   this->scene_.action.act = [&](btScalar) {
@@ -132,7 +132,7 @@ TYPED_TEST(OtherActions, SeeThePoseAndVelocityThatTheStepEndsWith) {
   }
 }
 
-// Writes the orientation in three ways, none of which changes a number.
+// Writes the orientation in three ways that change no number.
 TYPED_TEST(OtherActions, ThatWriteTheSameOrientationChangeNothing) {
   Scene<RotationWorld<btDiscreteDynamicsWorld>> left_scene;
   btRigidBody& left = left_scene.add_free(btVector3(1, 2, 3), btVector3(10, 7, 13));
@@ -152,7 +152,8 @@ TYPED_TEST(OtherActions, ThatWriteTheSameOrientationChangeNothing) {
   EXPECT_EQ(this->scene_.rotation().rotation_of(this->body_).steps, 1800u);
 }
 
-// From a quaternion, so that the last bits may change: the flips go on and every step counts.
+// Writes the orientation from a quaternion, which may change the last bits: the flips continue, and every
+// step counts.
 TYPED_TEST(OtherActions, ThatWriteTheSameOrientationToRoundingLetTheBodyFlipOn) {
   this->body_.setAngularVelocity(vector(0.01, 5, 0.01));
   this->scene_.action.act = [&](btScalar) {
@@ -162,7 +163,7 @@ TYPED_TEST(OtherActions, ThatWriteTheSameOrientationToRoundingLetTheBodyFlipOn) 
   double last = 1;
   for (int i = 0; i < 1800; ++i) {
     this->scene_.step(kDt);
-    const double along = basis_of(this->body_).col(1).y();  // of the middle axis with L
+    const double along = basis_of(this->body_).col(1).y();  // between the middle axis and L
     if (along * last < 0) ++flips;
     if (std::abs(along) > 0.5) last = along;
   }
@@ -170,7 +171,7 @@ TYPED_TEST(OtherActions, ThatWriteTheSameOrientationToRoundingLetTheBodyFlipOn) 
   EXPECT_EQ(this->scene_.rotation().rotation_of(this->body_).steps, 1800u);
 }
 
-// Held by hand though it spins at 2.7 rad a step, as an editor or a grabbing hand does.
+// Keeps a body that spins at 2.7 rad per step in place, as an editor or a grabbing hand does.
 TYPED_TEST(OtherActions, ThatHoldABodyHoldIt) {
   const btTransform held(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.7)), btVector3(1, 2, 3));
   this->body_.setAngularVelocity(btVector3(100, 100, 75));
@@ -182,7 +183,7 @@ TYPED_TEST(OtherActions, ThatHoldABodyHoldIt) {
   EXPECT_TRUE(omega_of(this->body_).allFinite());
 }
 
-// A kick in each step adds up, as if the application had made it between the steps.
+// Kicks in each step add up like kicks between the steps.
 TYPED_TEST(OtherActions, ThatKickGiveTheBitsOfKicksBetweenSteps) {
   const auto kick = [](btRigidBody& body) {
     body.applyTorqueImpulse(btVector3(btScalar(0.01), 0, btScalar(0.02)));
@@ -214,7 +215,7 @@ TYPED_TEST(OtherActions, MayAddAndRemoveBodiesAndActions) {
   EXPECT_EQ(this->scene_.rotation().rotation_of(this->body_).steps, 20u);
 }
 
-// Bullet's vehicle is an action.
+// Bullet's vehicle is implemented as an action.
 TYPED_TEST(OtherActions, OfTheVehicleKindDriveAsInPlainBullet) {
   const auto drive = [](auto& scene) {
     scene.world().setGravity(vector(0, -kGravity, 0));

@@ -1,5 +1,5 @@
-// Random bodies on each kind of joint, to 3 rad a step: none blows up, none gains energy, and the joints hold
-// as they do in plain Bullet.
+// Random bodies on each kind of joint, at up to 3 rad per step: none diverges or gains energy, and the joints
+// hold as in plain Bullet.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -22,7 +22,7 @@ const char* name_of(Kind kind) {
   return kNames[static_cast<int>(kind)];
 }
 
-/// Moments to a ratio of 20, any tilt, 1 to 180 rad/s about z.
+/// Moments with ratios up to 20, any tilt, 1 to 180 rad/s about z.
 struct Draw {
   explicit Draw(std::mt19937& random) {
     const auto uniform = [&] { return testing::uniform(random, 0, 1); };
@@ -47,7 +47,7 @@ struct Draw {
   double radians_a_step() const { return speed * kDt; }
 };
 
-/// The bodies of one draw on one kind of joint; `joint_off()` in rad, for a point joint in m.
+/// The bodies of one draw on one kind of joint. `joint_off()` is in rad, for a point joint in m.
 template <class AnyScene>
 class Jointed {
  public:
@@ -115,9 +115,9 @@ class Jointed {
   Matrix3 R_AB_;
 };
 
-/// After the first second.
+/// Largest values after the first second.
 struct Run {
-  double highest_energy = 0;  // of the start's
+  double highest_energy = 0;  // relative to the start
   double joint_off = 0;
 };
 
@@ -132,7 +132,7 @@ Run run(AnyScene& scene, Kind kind, const Draw& draw, const int* flags = nullptr
   for (int i = 0; i < 60 * kSeconds; ++i) {
     scene.step(btScalar(kDt));
     const double energy = jointed.energy() / start;
-    if (!(energy < 1e6)) return {1e6, 1e6};  // it blew up
+    if (!(energy < 1e6)) return {1e6, 1e6};  // the body diverged
     if (i < 60) continue;
     run.highest_energy = std::max(run.highest_energy, energy);
     run.joint_off = std::max(run.joint_off, jointed.joint_off());
@@ -142,7 +142,7 @@ Run run(AnyScene& scene, Kind kind, const Draw& draw, const int* flags = nullptr
 
 struct BulletsRuns {
   double energy_by_default;
-  double worst_joint_off;  // of its four modes
+  double worst_joint_off;  // among its four modes
 };
 
 BulletsRuns run_bullets(Kind kind, const Draw& draw) {
@@ -174,9 +174,9 @@ TYPED_TEST(RandomJoints, HoldAndGainNoEnergy) {
       const Run ours = run(scene, kind, draw);
       const BulletsRuns bullets = run_bullets(kind, draw);
       const bool resolved = draw.radians_a_step() <= 0.5;
-      // measured at most 1.015 up to half a radian a step, 1.074 beyond; the aims are 1.02 and 1.3
+      // measured at most 1.015 up to half a radian per step, 1.074 beyond; the targets are 1.02 and 1.3
       EXPECT_LE(ours.highest_energy, std::max(resolved ? 1.02 : 1.1, bullets.energy_by_default));
-      // measured at most 1.1e-4 rad above, and nothing above in steps of more than half a radian
+      // measured at most 1.1e-4 rad more than Bullet, and no more than Bullet above half a radian per step
       EXPECT_LE(ours.joint_off, bullets.worst_joint_off + 1e-3);
       if (resolved) ++resolved_count;
     }

@@ -37,7 +37,7 @@ using testing::WayName;
 const btScalar kDt = btScalar(1.0 / 60.0);
 const Vector3 kRotor_B(2.0, -3.0, 5.0);
 
-// L_W from omega_W and h.
+// Returns L_W computed from omega_W and h.
 Vector3 sum_W(const RotationState& state, const Vector3& inertia_B) {
   return state.R_WB *
          (inertia_B.cwiseProduct(state.R_WB.transpose() * state.omega_W) + state.rotor_momentum_B);
@@ -118,7 +118,7 @@ TYPED_TEST(RotorsOfBodies, AreRampedByTheirMotors) {
   EXPECT_LE((sum_W(after, this->inertia_B_) - after.L_W).norm(), 1e-13);
 }
 
-// What acts on the body changes its momentum, not the rotor's.
+// External actions change the momentum of the body, not of the rotor.
 TYPED_TEST(RotorsOfBodies, GoOnThroughChangesFromOutside) {
   this->rotation().set_rotor_momentum(this->body_, kRotor_B, RotorChange::by_motor);
   this->scene_.step(kDt);
@@ -144,7 +144,7 @@ TYPED_TEST(RotorsOfBodies, GoOnThroughChangesFromOutside) {
   agrees();
 }
 
-// The momentum after a kick is that of the new velocity and of the rotor.
+// The momentum after a kick follows from the new velocity and the rotor.
 TYPED_TEST(RotorsOfBodies, HaveTheirPartOfTheMomentumAfterAKick) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     if (!scheme->description().takes_rotors) continue;
@@ -161,7 +161,7 @@ TYPED_TEST(RotorsOfBodies, HaveTheirPartOfTheMomentumAfterAKick) {
   }
 }
 
-// Damping takes the velocity of the body, and in the end it would turn with the rotor's momentum alone.
+// Damping acts on the velocity of the body; the rotor keeps its momentum.
 TYPED_TEST(RotorsOfBodies, AreNotDamped) {
   this->rotation().set_rotor_momentum(this->body_, kRotor_B, RotorChange::by_motor);
   this->body_.setDamping(0, btScalar(0.9));
@@ -171,7 +171,7 @@ TYPED_TEST(RotorsOfBodies, AreNotDamped) {
   EXPECT_LE((end.L_W - end.R_WB * kRotor_B).norm(), 1e-2);
 }
 
-// A gyroscope of a wheel in a light frame that hangs on a cord: the whole precesses at m g l / h.
+// A gyroscope, a wheel in a light frame, hangs on a cord and precesses at m g l / h.
 TYPED_TEST(RotorsOfBodies, PrecessOnAPointJoint) {
   const double h = 4.0;
   const double length = 0.5;
@@ -232,7 +232,7 @@ TYPED_TEST(RotorsOfBodies, TurnAHingedBodyAgainstTheirMotors) {
   this->rotation().set_rotor_momentum(this->body_, {0.5, 0.0, 0.0}, RotorChange::from_outside);
   this->rotation().set_rotor_torque(this->body_, {0.0, 0.0, 0.4});
   this->scene_.step(kDt, 60);
-  // In a joint a body shows the mean velocity of the step.
+  // In a joint Bullet's velocity is the mean over the step.
   EXPECT_NEAR(testing::omega_of(this->body_).z(), -0.1 * (1.0 - 0.5 / 60.0), 1e-6);  // measured 7.4e-8
   EXPECT_NEAR(this->state(this->body_).rotor_momentum_B.z(), 0.4, 1e-6);
   const Vector3 axis_W = testing::basis_of(this->body_) * Vector3::UnitZ();

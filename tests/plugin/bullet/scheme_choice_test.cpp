@@ -1,4 +1,4 @@
-// Which body has which scheme: the world's default, its own, one that the application wrote, or none.
+// Selects the scheme of a body: the world's default, its own, one written by the application, or none.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ constexpr btScalar kDt = btScalar(1.0 / 60.0);
 const btVector3 kInertia(1, 2, 3);
 const btVector3 kSpin(3, 2, 4);
 
-// A scheme of the application's own: the exponential map at constant angular momentum.
+// A custom scheme: the exponential map at constant angular momentum.
 class ConstantMomentum final : public RotationScheme {
  public:
   SchemeDescription description() const noexcept override {
@@ -134,7 +134,7 @@ TEST(SettingsOf, TellEverythingThatWasSet) {
   EXPECT_EQ(settings.rotor_momentum_B, Vector3(0.0, 0.5, 0.0));
   EXPECT_EQ(settings.rotor_torque_B, Vector3(0.0, 0.0, 0.125));
   scene.step(kDt);
-  EXPECT_NE(rotation.settings_of(body).rotor_momentum_B, settings.rotor_momentum_B);  // the motors ran
+  EXPECT_NE(rotation.settings_of(body).rotor_momentum_B, settings.rotor_momentum_B);  // the motors have run
   EXPECT_EQ(rotation.settings_of(body).rotor_momentum_B, rotation.rotation_of(body).state.rotor_momentum_B);
 
   rotation.release(body);
@@ -167,7 +167,7 @@ TEST(ManagedBodies, AreListedInTheOrderOfTheWorld) {
   bodies[5]->setCollisionFlags(bodies[5]->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
   scene.world().removeRigidBody(bodies[7]);
   for (const std::size_t index : {7U, 5U, 0U}) bodies.erase(bodies.begin() + index);
-  // Bullet fills the hole with its last body.
+  // Bullet fills the gap with its last body.
   std::swap(bodies[5], bodies.back());
   std::vector<btRigidBody*> expected;
   for (int i = 0; i < scene.world().getNumCollisionObjects(); ++i) {
@@ -179,7 +179,7 @@ TEST(ManagedBodies, AreListedInTheOrderOfTheWorld) {
   EXPECT_EQ(rotation.managed_bodies(), 17U);
 }
 
-// A body may come to the address of one that is gone: what was chosen for that one does not count for it.
+// A body that gets the address of a deleted one does not inherit the settings of the deleted one.
 TEST(ManagedBodies, HaveOneThatReplacedAReleasedOneAtItsAddress) {
   Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
   RotationControl& rotation = scene.world().rotation();
@@ -214,7 +214,7 @@ TEST(Conversions, GoToEigenAndBack) {
   const btTransform pose(btQuaternion(btVector3(1, 2, 3).normalized(), btScalar(0.7)), btVector3(4, 5, 6));
   const Quaternion q = to_double(pose.getRotation());
   EXPECT_TRUE(to_bullet(q) == pose.getRotation());
-  // It turns a vector as Bullet's does. Measured 5e-7 in single precision, 1e-15 in double.
+  // It rotates a vector as Bullet's quaternion does. Measured 5e-7 in single precision, 1e-15 in double.
   const Vector3 turned = q * Vector3(1, -2, 4);
   EXPECT_LT((turned - to_double(quatRotate(pose.getRotation(), btVector3(1, -2, 4)))).norm(),
             by_precision(2e-6, 4e-15));
@@ -229,7 +229,7 @@ TEST(RotationOf, TellsTheApplicationsVelocityBeforeAnyStep) {
   body.setAngularVelocity(btVector3(0, 0, 2));
   const BodyRotation rotation = plugin.rotation().rotation_of(body);
   EXPECT_EQ(rotation.state.omega_W, Vector3(0, 0, 2));
-  // 3 kg m^2 about z; 1/3 is rounded in Bullet, measured 1.8e-7 in single precision, 0 in double
+  // 3 kg m^2 about z; Bullet rounds 1/3: measured 1.8e-7 in single precision, 0 in double
   EXPECT_NEAR(rotation.state.L_W.z(), 6.0, by_precision(1e-6, 2e-15));
   EXPECT_NEAR(rotation.energy_J, 6.0, by_precision(1e-6, 2e-15));
 }

@@ -1,4 +1,4 @@
-// A body that is restored takes the same steps, to the last bit, as the one that went on.
+// A restored body takes the same steps, bit for bit, as the body that continued.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -64,7 +64,7 @@ TYPED_TEST(BodySnapshot, GoesOnWithTheSameBitsForEveryScheme) {
     body.setLinearVelocity(btVector3(1, -2, 3));
     way.step(kStep, 100);
     const Snapshot snapshot = way.rotation().save(body);
-    const std::vector<Seen> went_on = run(way, body, 300);  // `matrix` diverges in them
+    const std::vector<Seen> went_on = run(way, body, 300);  // `matrix` diverges within these steps
     way.rotation().restore(body, snapshot);
     EXPECT_EQ(first_difference(went_on, run(way, body, 300)), 0) << scheme->description().name;
   }
@@ -86,7 +86,7 @@ TYPED_TEST(BodySnapshot, IsRestoredIntoAnotherWorldAtAnyPlace) {
   EXPECT_EQ(first_difference(went_on, run(other, twin, 100)), 0);
 }
 
-// Its first step starts from the state that was set, and not from the pose, which is that state rounded.
+// The first step starts from the given state, not from Bullet's pose, which is that state rounded.
 TYPED_TEST(BodySnapshot, IsRestoredBeforeItsFirstStep) {
   TypeParam way;
   btRigidBody& body = way.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
@@ -99,7 +99,7 @@ TYPED_TEST(BodySnapshot, IsRestoredBeforeItsFirstStep) {
   EXPECT_EQ(first_difference(went_on, run(other, twin, 10)), 0);
 }
 
-// The next step takes the momentum anew from the velocity, as after any change of inertia.
+// The next step recomputes the momentum from the velocity, as after any change of inertia.
 TYPED_TEST(BodySnapshot, KnowsOfAChangeThatNoStepHasSeen) {
   TypeParam way;
   btRigidBody& body = way.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
@@ -122,7 +122,7 @@ TYPED_TEST(BodySnapshot, KnowsWhereABodyIsSetBackTo) {
   way.rotation().restore(body, snapshot);
   body.getWorldTransform().getOrigin().setX(std::numeric_limits<btScalar>::quiet_NaN());
   way.step(kStep);
-  // One step on from there: 10 m/s for 1/60 s.
+  // One step further: 10 m/s for 1/60 s.
   EXPECT_LT(body.getWorldTransform().getOrigin().distance(origin), btScalar(0.2));
 }
 
@@ -207,7 +207,7 @@ TYPED_TEST(BodySnapshot, OfABodyThatDivergedIsOfOneAtRest) {
   EXPECT_TRUE(way.rotation().rotation_of(body).diverged);
 }
 
-// The step goes on from the doubles: in a single-precision world Bullet's setters would lose half of the
+// The step continues from the doubles; in a single-precision world Bullet's setters would lose half of the
 // digits.
 TYPED_TEST(BodySnapshot, SetRotationSetsTheDoubleState) {
   RandomBody random(7);
@@ -229,7 +229,7 @@ TYPED_TEST(BodySnapshot, SetRotationSetsTheDoubleState) {
       scheme->step({Vector3(1, 2, 3), Vector3::Zero(), static_cast<double>(kStep)}, expected);
       way.step(kStep);
       const RotationState found = way.rotation().rotation_of(body).state;
-      // measured 3e-9 (single precision: 1/3 as a moment is rounded), 4e-16
+      // measured 3e-9 in single precision, where the moment 3 is stored as a rounded 1/3, 4e-16 in double
       EXPECT_LT(logarithm(found.q_WB.conjugate() * expected.q_WB).norm(), by_precision(2e-8, 4e-15));
       EXPECT_LT((found.omega_W - expected.omega_W).norm(), by_precision(2e-8, 4e-15));
     }

@@ -1,4 +1,4 @@
-// Snapshots of bodies that torque laws and motors drive.
+// Snapshots of bodies with torque laws and motors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ template <class Way>
 class DrivenSnapshot : public ::testing::Test {};
 TYPED_TEST_SUITE(DrivenSnapshot, BothWays, WayName);
 
-// Free, hinged and resting bodies with laws, rotors, motors, and all of them.
+// Free, hinged and resting bodies with laws, rotors, motors, or all of these.
 template <class Way>
 void add_driven(Way& way) {
   set_gravity(way);
@@ -56,7 +56,7 @@ TYPED_TEST(DrivenSnapshot, GoesOnWithTheSameBits) {
   EXPECT_EQ(first_difference(went_on, run(way, 200, kStep)), 0);
 }
 
-// The application has given the twin's bodies the same laws; rotors and motors come with the snapshot.
+// The application has given the twin's bodies the same laws; rotors and motors are part of the snapshot.
 TYPED_TEST(DrivenSnapshot, BringsRotorsToATwinThatHasNone) {
   TypeParam way;
   btRigidBody& body = way.add_free(vector(1, 2, 3), vector(1, 2, 3));

@@ -1,4 +1,4 @@
-// A snapshot that is damaged or of something else is refused, says why, and changes nothing.
+// Damaged or unsuitable snapshots are refused with the reason and change nothing.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,14 +15,14 @@ namespace {
 using ::testing::HasSubstr;
 
 constexpr btScalar kStep = btScalar(1.0 / 60.0);
-// Where the header has them, and how long it is.
+// Offsets of fields in the header, and its length.
 constexpr std::size_t kVersionAt = 8;
 constexpr std::size_t kKindAt = 12;
 constexpr std::size_t kPrecisionAt = 13;
 constexpr std::size_t kHeaderBytes = 22;
 constexpr std::size_t kChecksumBytes = 8;
 
-// As somebody would who knows the format: with the checksum that belongs to the bytes.
+// Adds a valid checksum, as an attacker who knows the format would.
 Snapshot sealed(Snapshot snapshot) {
   std::uint64_t sum = 0xcbf29ce484222325U;
   const std::size_t end = snapshot.size() - kChecksumBytes;
@@ -114,8 +114,8 @@ TYPED_TEST(HostileSnapshot, WithAnyByteChangedIsRefused) {
   this->expect_unchanged();
 }
 
-// The checksum does not guard against somebody who computes it anew: whatever the bytes say, memory is safe,
-// and the step that follows ends.
+// An attacker can recompute the checksum. Whatever the bytes are, restoring must be memory-safe and the next
+// step must end.
 TYPED_TEST(HostileSnapshot, WithAnyByteForgedIsRefusedOrRestored) {
   int restored = 0;
   for (std::size_t i = kHeaderBytes; i < this->of_world.size() - kChecksumBytes; ++i) {
@@ -155,7 +155,7 @@ TYPED_TEST(HostileSnapshot, OfAnotherKindIsRefused) {
 }
 
 TYPED_TEST(HostileSnapshot, WithANumberThatIsNotFiniteIsRefused) {
-  // Each number of the record in turn, where it may begin.
+  // Overwrites each possible position of a number in the record.
   const btScalar bad[] = {std::numeric_limits<btScalar>::quiet_NaN(),
                           std::numeric_limits<btScalar>::infinity()};
   int refused = 0;
@@ -167,7 +167,7 @@ TYPED_TEST(HostileSnapshot, WithANumberThatIsNotFiniteIsRefused) {
     }
   }
   EXPECT_GT(refused, 100);
-  // The pose is the first that a body has, after its two types.
+  // The pose is the first field of a body, after its two types.
   Snapshot forged = this->of_body;
   std::memcpy(&forged[kHeaderBytes + 8], &bad[0], sizeof bad[0]);
   EXPECT_THAT(this->refusal_of_body(sealed(forged)), HasSubstr("a number that is not finite"));
@@ -231,7 +231,7 @@ TYPED_TEST(HostileSnapshot, OfAnUnknownSchemeWantsTheBodyToHaveIt) {
   rotation.set_scheme(*this->box, "exact");
   EXPECT_THAT(this->refusal_of_body(snapshot),
               HasSubstr("the scheme \"mine\", which is unknown: register it"));
-  // Another object of the name will do.
+  // Another scheme object of the same name is accepted.
   rotation.set_scheme(*this->box, std::make_shared<UnknownScheme>("mine"));
   EXPECT_EQ(this->refusal_of_body(snapshot), "restored");
 }

@@ -1,5 +1,5 @@
-// Worlds with everything that Bullet's collision detection keeps something for: each goes on with the same
-// bits.
+// Worlds in which Bullet's collision detection caches every kind of data: each continues with the same bits
+// after restoring.
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 #include <BulletCollision/CollisionShapes/btBvhTriangleMeshShape.h>
 #include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
@@ -20,7 +20,7 @@ constexpr btScalar kStep = btScalar(1.0 / 60.0);
 template <class Way>
 class SnapshotOfKinds : public ::testing::Test {
  protected:
-  // Also into a twin, which has none of the contacts.
+  // Also restores into a twin, which has none of the contacts.
   template <class Build>
   void expect_same_bits(const Build& build, const std::vector<int>& moments, int steps = 200) {
     Way way;
@@ -101,7 +101,7 @@ TYPED_TEST(SnapshotOfKinds, ConvexShapesOnATriangleMesh) {
       {30, 100, 400});
 }
 
-// Dumbbells and crosses: a pair has a manifold for each part that is near.
+// Dumbbells and crosses: a pair has one manifold for each pair of close parts.
 template <class Way>
 void drop_compounds(Way& way, bool has_tree) {
   set_gravity(way);
@@ -186,7 +186,7 @@ TYPED_TEST(SnapshotOfKinds, BodiesThatBulletRotates) {
       {1, 100});
 }
 
-// The time between two steps is in it: dt beside the fixed step.
+// The snapshot includes the time left over between fixed steps.
 TYPED_TEST(SnapshotOfKinds, Substeps) {
   TypeParam way;
   way.add_floor();
@@ -241,7 +241,7 @@ TYPED_TEST(SnapshotOfKinds, JointsThatBreakAndCount) {
   EXPECT_EQ(hinge.getAccumulatedHingeAngle(), turned);
 }
 
-// Neither knows of the other.
+// The snapshot and Bullet's serializer do not affect each other.
 TYPED_TEST(SnapshotOfKinds, BesideBulletsSerializer) {
   TypeParam way;
   way.add_floor();
@@ -270,7 +270,7 @@ bool count_destroyed(void* /*data*/) {
   return true;
 }
 
-// An application that keeps data with contact points frees them in Bullet's callback.
+// Applications free the data that they attach to contact points in Bullet's callback.
 TYPED_TEST(SnapshotOfKinds, RestoringCallsNoContactCallbackButGivesUserDataBack) {
   TypeParam way;
   way.add_floor();

@@ -1,6 +1,6 @@
-// A network game with rollback, both ends in one process. Each peer steps its own world at once, with its own
-// input and a guess of the other's; when the other's input arrives, some frames late, it rolls back and steps
-// again. Both end with the same bits, though neither ever sends more than inputs.
+// A network game with rollback, with both peers in one process. Each peer steps its own world immediately,
+// with its own input and a guess of the other's. When the other's input arrives, a few frames late, the peer
+// rolls back and steps again. Both end with the same bits, though they exchange only inputs.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -16,7 +16,8 @@ constexpr btScalar kFrame = btScalar(1.0 / 60.0);
 constexpr int kFrames = 240;
 constexpr int kPlayers = 2;
 
-/// What a player does in a frame to the player's own box: a force along x, N, and a torque about z, N m.
+/// A player's input in a frame, applied to the player's own box: a force along x, N, and a torque about z, N
+/// m.
 struct Input {
   btScalar push = 0;
   btScalar spin = 0;
@@ -24,7 +25,7 @@ struct Input {
   bool operator==(const Input& other) const { return push == other.push && spin == other.spin; }
 };
 
-// Changes at frames that only the player knows before.
+// Returns an input that changes at frames unknown to the other player.
 Input chosen_by(int player, int frame) {
   const int mood = (frame / 17 + 2 * player) % 3;
   return {btScalar(mood == 1 ? 12 : -4), btScalar(mood == 2 ? 30 : 5)};
@@ -48,14 +49,14 @@ class Peer {
   Snapshot start() { return way_.rotation().save_world(); }
   void join(const Snapshot& start) { way_.rotation().restore_world(start); }
 
-  /// Plays a frame with the inputs known so far; returns the player's own, to be sent.
+  /// Plays a frame with the inputs known so far and returns the player's own input for sending.
   Input play() {
     inputs_[player_][frame_] = chosen_by(player_, frame_);
     step();
     return inputs_[player_][frame_ - 1];
   }
 
-  /// The other's input of a frame that has been played by a guess.
+  /// Receives the other player's input of a frame that has been played with a guess.
   void receive(int frame, const Input& input) {
     const int other = 1 - player_;
     const bool was_guessed = guess(other, frame) == input;
@@ -72,7 +73,7 @@ class Peer {
   int rollbacks() const { return rollbacks_; }
 
  private:
-  // The known input, or the last one before.
+  // Returns the known input, or the last known one.
   Input guess(int player, int frame) {
     const auto after = inputs_[player].upper_bound(frame);
     return after == inputs_[player].begin() ? Input() : std::prev(after)->second;
@@ -107,7 +108,8 @@ TYPED_TEST(NetworkGame, WithRollbackEndsInTheSameBitsOnBothEnds) {
   constexpr int kDelay = 6;
   Peer<TypeParam> host(0);
   Peer<TypeParam> guest(1);
-  // Once, at the start: the guest's memory is at other addresses, by which Bullet balances its trees.
+  // The guest starts from the host's snapshot: Bullet balances its trees by memory addresses, which differ
+  // between the two.
   const Snapshot start = host.start();
   guest.join(start);
 
@@ -127,7 +129,7 @@ TYPED_TEST(NetworkGame, WithRollbackEndsInTheSameBitsOnBothEnds) {
   EXPECT_GT(host.rollbacks(), 5);   // measured 14
   EXPECT_GT(guest.rollbacks(), 5);  // measured 14
 
-  // As if the inputs had come in time.
+  // Plays as if all inputs had arrived in time.
   Peer<TypeParam> replay(0);
   replay.join(start);
   for (int frame = 0; frame < kFrames; ++frame) {

@@ -1,5 +1,4 @@
-// Random worlds in which an application does random things: what it does once more after restoring gives the
-// same bits.
+// Random worlds with random actions of an application: repeating them after restoring gives the same bits.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -55,7 +54,7 @@ void build(Way& way, unsigned seed) {
   }
 }
 
-// One thing that an application does to the state of a body between two steps.
+// Changes the state of a body between two steps.
 template <class Way>
 void act(Way& way, std::mt19937& random) {
   btRigidBody& body = *way.bodies()[1 + random() % kBodies];

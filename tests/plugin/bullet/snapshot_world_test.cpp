@@ -1,4 +1,4 @@
-// A world that is restored takes the same steps, to the last bit, as the run that went on.
+// A restored world takes the same steps, bit for bit, as the run that continued.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -15,7 +15,7 @@ template <class Way>
 class WorldSnapshot : public ::testing::Test {};
 TYPED_TEST_SUITE(WorldSnapshot, BothWays, WayName);
 
-// Boxes of all schemes but those that swell, which fall onto a floor and one another, and may sleep.
+// Boxes with schemes that do not swell, which fall onto a floor and each other, and may sleep.
 template <class Way>
 void add_sleepy_pile(Way& way, int count = 30) {
   set_gravity(way);
@@ -33,7 +33,7 @@ void add_sleepy_pile(Way& way, int count = 30) {
   }
 }
 
-// Steps to a moment, saves, goes on, restores and goes on again.
+// Steps to a moment, saves, continues, restores and continues again.
 template <class Way>
 void expect_same_bits_after_restoring_at(Way& way, const std::vector<int>& moments, int steps) {
   int now = 0;
@@ -54,7 +54,7 @@ void expect_same_bits_after_restoring_at(Way& way, const std::vector<int>& momen
 TYPED_TEST(WorldSnapshot, GoesOnWithTheSameBitsInAPile) {
   TypeParam way;
   add_sleepy_pile(way);
-  // Falling, colliding, settling, and with bodies asleep.
+  // While falling, colliding and settling, and with sleeping bodies.
   expect_same_bits_after_restoring_at(way, {1, 20, 60, 120, 240, 600}, 300);
   int sleeping = 0;
   for (const auto& body : way.bodies()) sleeping += body->getActivationState() == ISLAND_SLEEPING ? 1 : 0;
@@ -107,7 +107,7 @@ TYPED_TEST(WorldSnapshot, IsSmall) {
   EXPECT_EQ(way.rotation().save_world().size(), kDoubleBullet ? 98595u : 65011u);
 }
 
-// The first step after it is that of the way in where it is restored.
+// The first step after restoring works as in the world that was restored into.
 TEST(WorldSnapshotOfOneWayIn, IsRestoredInTheOther) {
   const auto build = [](auto& way) {
     add_chain(way, 5);

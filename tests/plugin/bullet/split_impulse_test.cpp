@@ -1,5 +1,5 @@
-// Split impulse, on by default, pushes penetrating bodies apart by moving their world transforms inside the
-// solver: a turn without a velocity. It has to reach the library's state.
+// Split impulse, on by default, pushes penetrating bodies apart by moving their world transforms within the
+// solver: a turn without an angular velocity. The library's state must include that turn.
 #include <gtest/gtest.h>
 
 #include "bullet/internals/bullet_turn.h"
@@ -11,9 +11,9 @@ namespace polhode::testing {
 namespace {
 
 constexpr btScalar kDt = btScalar(1.0 / 64);
-constexpr int kSteps = 3;  // still slow, so that the schemes' laws hardly differ
+constexpr int kSteps = 3;  // few, so that the body is slow and the schemes' laws hardly differ
 
-// A long box, askew, whose lower end is deep in the floor.
+// A long, tilted box whose lower end is deep in the floor.
 template <class Scene>
 btRigidBody& add_sunk_box(Scene& scene) {
   scene.world().setGravity(btVector3(0, 0, -10));
@@ -22,7 +22,7 @@ btRigidBody& add_sunk_box(Scene& scene) {
   return scene.add_box(vector(1, 0.3, 0.2), 1, pose);
 }
 
-// Steps a plain world; returns how far, in all, the box turned without a velocity to turn with. rad.
+// Steps a plain world. Returns the total angle by which the box turned without an angular velocity, rad.
 template <class EachStep>
 double step_plain_world(EachStep each_step) {
   Scene<> scene;
@@ -49,7 +49,7 @@ TEST(SplitImpulseOfBullet, TurnsABodyWithoutAVelocity) {
   EXPECT_GT(silent_turn, 5e-3);
 }
 
-// Not taken over, the turn would be missing from the body: 2e-3 rad in the first step, see above.
+// Without the library's correction this turn would be missing: 2e-3 rad in the first step, see above.
 TYPED_TEST(SplitImpulse, TurnsTheStateOfEveryScheme) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -59,15 +59,15 @@ TYPED_TEST(SplitImpulse, TurnsTheStateOfEveryScheme) {
     step_plain_world([&](int i, const btRigidBody& plain) {
       scene.step(kDt);
       const double error = angle_between(basis_of(box), basis_of(plain));
-      // measured 1.4e-6, by which free motion parts from Bullet's turn at constant velocity in the first
-      // step; by the third 9.1e-6
+      // measured 1.4e-6, the difference between free motion and Bullet's turn at constant velocity in the
+      // first step; 9.1e-6 by the third
       EXPECT_LT(error, i == 0 ? 5e-6 : 3e-5);
       EXPECT_TRUE(shows_orientation(box, scene.rotation().rotation_of(box).state)) << i;
     });
   }
 }
 
-// The control, where the first step has no gyroscopic change yet, to rounding.
+// The scheme `bullet` matches to rounding in the first step, which has no gyroscopic change yet.
 TYPED_TEST(SplitImpulse, TurnsTheControlAsBulletTurnsIt) {
   TypeParam scene;
   btRigidBody& box = add_sunk_box(scene);
@@ -81,7 +81,7 @@ TYPED_TEST(SplitImpulse, TurnsTheControlAsBulletTurnsIt) {
   });
 }
 
-// The change that was taken over stays: afterwards the body turns by its velocity from there.
+// The turn is kept: afterwards the body turns from there by its velocity.
 TYPED_TEST(SplitImpulse, IsOverWhenTheBodyIsOut) {
   TypeParam scene;
   btRigidBody& box = add_sunk_box(scene);

@@ -1,5 +1,5 @@
-// Torques that depend on the pose or the velocity: springs keep their energy, damped ones come to rest, a
-// balanced plate hovers.
+// Torques that depend on pose or velocity: springs keep their energy, damped springs come to rest, and a
+// controlled plate hovers.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr btScalar kDt = btScalar(1.0 / 60);
 
-// From the identity, the short way round; rad.
+// Returns the shortest rotation from the identity, rad.
 Vector3 rotation_vector_W(const btRigidBody& body) {
   return turn_between(Matrix3::Identity(), basis_of(body));
 }
@@ -51,7 +51,7 @@ TYPED_TEST(Springs, OfAnAsymmetricBodyAboutAnAskewAxisGainNothing) {
   EXPECT_LT(angle.highest, 0.1);  // measured 0.0994, in the first step
 }
 
-// Forces at four corners, each as strong as its corner is low.
+// Forces at four corners, each proportional to how low the corner is.
 TYPED_TEST(Springs, LetAPlateHover) {
   auto& scene = this->scene_;
   set_gravity(scene);
@@ -78,7 +78,7 @@ TYPED_TEST(Springs, LetAPlateHover) {
   EXPECT_NEAR(height.lowest, 1, 1e-3);
 }
 
-/// PD control about x towards the identity; returns the largest angle of the last two seconds, of 0.1 rad.
+/// PD control about x towards the identity, from 0.1 rad. Returns the largest angle of the last two seconds.
 template <class AnyScene>
 double control(AnyScene& scene, double hertz, double damping_ratio) {
   btRigidBody& body =
@@ -104,13 +104,13 @@ TYPED_TEST(Springs, WithDampingComeToRestAsInPlainBullet) {
     Scene<> plain;
     const double ours = control(scene, controller.hertz, controller.damping_ratio);
     const double bullets = control(plain, controller.hertz, controller.damping_ratio);
-    // measured 1.0e-6 and 2.7e-22 rad, as plain Bullet
+    // measured 1.0e-6 and 2.7e-22 rad, as in plain Bullet
     EXPECT_LT(ours, 2e-6) << controller.hertz;
     EXPECT_LT(ours, 1.01 * bullets) << controller.hertz;
   }
 }
 
-// Between two bodies, by equal and opposite torques.
+// A spring between two bodies, by equal and opposite torques.
 TYPED_TEST(Springs, BetweenTwoBodiesKeepMomentumAndEnergy) {
   auto& scene = this->scene_;
   btRigidBody& a =
@@ -131,15 +131,15 @@ TYPED_TEST(Springs, BetweenTwoBodiesKeepMomentumAndEnergy) {
     gained.add(energy() / start);
     momentum_off.add((shown_angular_momentum_W(a) + shown_angular_momentum_W(b) - momentum_W).norm());
   }
-  // measured 0.982 to 1.020, plain Bullet 0.981 to 1.035; it sways, for the step shows the velocity half a
-  // step late
+  // measured 0.982 to 1.020, plain Bullet 0.981 to 1.035; it oscillates, since the velocity is half a step
+  // late
   EXPECT_NEAR(gained.highest, 1, 0.03);
   EXPECT_NEAR(gained.lowest, 1, 0.03);
   // measured 5.4e-7 in single, 8.7e-15 in double precision; plain Bullet 0.045
   EXPECT_LT(momentum_off.highest, by_precision(2e-6, 3e-14));
 }
 
-// Bullet's own six-degree springs are rows of its solver.
+// Bullet's own six-degree-of-freedom springs are rows in its solver.
 TYPED_TEST(Springs, OfBulletsSixDegreeJointGainNoEnergy) {
   auto& scene = this->scene_;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0),

@@ -1,5 +1,5 @@
-// One call of stepSimulation may take several steps of a fixed length, and leaves the rest of the time to the
-// motion states: they lie between the last two poses.
+// One call of stepSimulation may take several steps of fixed length. Motion states extrapolate over the
+// remaining time and get a pose between the last two.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -9,7 +9,7 @@
 namespace polhode::testing {
 namespace {
 
-constexpr btScalar kDt = btScalar(1.0 / 64);  // exact, and so are its multiples
+constexpr btScalar kDt = btScalar(1.0 / 64);  // a power of two, so that its multiples are exact
 const btQuaternion kTilted(btVector3(1, 2, 3).normalized(), btScalar(0.7));
 
 template <class Way>
@@ -22,7 +22,7 @@ struct Stage {
   }
 
   btRigidBody& body() { return *body_; }
-  /// Returns the orientation that is drawn.
+  /// Returns the orientation to draw.
   Matrix3 shown() const { return to_double(motion_state.m_graphicsWorldTrans.getBasis()); }
 
   btDefaultMotionState motion_state{btTransform(kTilted)};
@@ -55,7 +55,7 @@ TYPED_TEST(Substeps, OfOneCallGiveTheBitsOfSingleSteps) {
   }
 }
 
-// The torque would be lost from the second step on if it acted but once.
+// A torque that acted only once would be missing from the second step on.
 TYPED_TEST(Substeps, AllFeelATorqueAppliedOnce) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
@@ -69,11 +69,11 @@ TYPED_TEST(Substeps, AllFeelATorqueAppliedOnce) {
   }
 }
 
-// At a slow tumble; and at a spin about a principal axis, which no scheme speeds up, near pi/4 a step and far past
-// it.
+// Tests a slow tumble, and spins about a principal axis near pi/4 per step and far above, which no scheme
+// speeds up.
 TYPED_TEST(Substeps, LeaveMotionStatesBetweenTheLastTwoPoses) {
   for (const SchemePointer& scheme : built_in_schemes()) {
-    // A basis that is not a rotation is shown as it is, see swelling_test.cpp.
+    // A basis that is not a rotation is shown unchanged, see swelling_test.cpp.
     if (scheme->description().rotation == Conservation::lost) continue;
     SCOPED_TRACE(scheme->description().name);
     for (const double speed : {2.0, 45.0, 55.0, 120.0}) {
@@ -84,14 +84,14 @@ TYPED_TEST(Substeps, LeaveMotionStatesBetweenTheLastTwoPoses) {
         const Matrix3 before = basis_of(stage.body());
         stage.scene.world().stepSimulation(kDt, 1, kDt);
         const Vector3 turn = turn_between(before, basis_of(stage.body()));
-        // Here the rest of the time is 0: what is shown is the pose before.
+        // No time is left over here: the motion state gets the previous pose.
         worst = std::max(worst, angle_between(stage.shown(), before));
         for (const double fraction : {0.25, 0.5, 0.75}) {
           stage.scene.world().stepSimulation(kDt / 4, 1, kDt);
           const Matrix3 between = exponential(turn * fraction).toRotationMatrix() * before;
           worst = std::max(worst, angle_between(stage.shown(), between));
         }
-        // Back to where no time is left.
+        // Advances to where no time is left over.
         const Matrix3 last = basis_of(stage.body());
         stage.scene.world().stepSimulation(kDt / 4, 1, kDt);
         worst = std::max(worst, angle_between(stage.shown(), last));

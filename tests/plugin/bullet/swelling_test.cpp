@@ -1,4 +1,5 @@
-// `matrix` keeps a basis that is no rotation. It has to be seen, and nobody else may come to harm by it.
+// `matrix` keeps a basis that is not a rotation. The swelling must be visible, but must not harm other
+// bodies.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +30,7 @@ class Swelling : public ::testing::Test {
 };
 TYPED_TEST_SUITE(Swelling, BothWays, WayName);
 
-// A step multiplies the determinant by 1 + |omega|^2 dt^2. Bullet is given a rotation all the while.
+// Each step multiplies the determinant by 1 + |omega|^2 dt^2, while Bullet always gets a rotation.
 TYPED_TEST(Swelling, IsSeenInTheStateAndKeptFromBullet) {
   btRigidBody& body = this->add_swelling(16);
   this->scene_.step(kDt, 20);
@@ -65,7 +66,7 @@ TEST(SwellingInARotationWorld, IsSeenInTheMotionState) {
   EXPECT_TRUE(same(shown, to_bullet(scene.rotation().rotation_of(body).state.R_WB)));
 }
 
-// Between two steps a motion state is shown where the body is at that time, like those of all other bodies.
+// Between two steps the motion state gets the pose at that time, like those of all other bodies.
 TEST(SwellingInARotationWorld, IsShownBetweenTwoStepsWhereBulletShowsIt) {
   for (const bool is_interpolated : {false, true}) {
     InRotationWorld scene;
@@ -90,14 +91,14 @@ TEST(SwellingInARotationWorld, IsShownBetweenTwoStepsWhereBulletShowsIt) {
     const RotationState state = scene.rotation().rotation_of(swollen).state;
     const Matrix3 shown = to_double(swollen_state.m_graphicsWorldTrans.getBasis());
     EXPECT_NEAR(shown.determinant(), state.R_WB.determinant(), by_precision(1e-6, 1e-14));
-    // `matrix` turns by the angle whose tangent is omega dt; Bullet interpolates by omega
+    // `matrix` turns by the angle whose tangent is omega dt; Bullet interpolates with omega
     const double angle = 2 * std::atan(0.25) + time_beside_step * std::atan(0.25);
     const double shown_angle = std::atan2(shown(1, 0), shown(0, 0));
     EXPECT_NEAR(shown_angle, angle, 0.01);
   }
 }
 
-// Dropped while it swells, it comes to rest on the floor like the body that it was.
+// A body that is dropped while it swells comes to rest on the floor as if it had kept its size.
 TYPED_TEST(Swelling, LeavesContactsAlive) {
   this->scene_.world().setGravity(btVector3(0, 0, -10));
   this->scene_.add_floor();
@@ -116,7 +117,7 @@ TYPED_TEST(Swelling, LeavesContactsAlive) {
   }
   EXPECT_EQ(this->scene_.rotation().incidents(), 0u);
   EXPECT_GT(this->scene_.rotation().rotation_of(swollen).state.R_WB.determinant(), 2.5);  // measured 2.94
-  // The floor is at 0, half an edge below; measured 0.481 and 0.5000
+  // The floor is at 0, half an edge below the centre; measured 0.481 and 0.5000
   EXPECT_GT(lowest, 0.4);
   EXPECT_NEAR(swollen.getWorldTransform().getOrigin().z(), 0.5, 0.01);
   EXPECT_LT(omega_of(swollen).norm(), 0.01);  // measured 2.4e-4 rad/s
@@ -130,14 +131,14 @@ TYPED_TEST(Swelling, WithoutBoundIsStoppedAndReportedOnce) {
     reported.push_back(incident);
     stopped_at = incident.body->getWorldTransform().getBasis();
   });
-  btRigidBody& body = this->add_swelling(64);  // its radius grows by sqrt(2) a step
+  btRigidBody& body = this->add_swelling(64);  // its size grows by sqrt(2) per step
   btRigidBody& other = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   other.setWorldTransform(btTransform(btQuaternion::getIdentity(), vector(0, 0, 1e5)));
   this->scene_.step(kDt, 40);
   ASSERT_EQ(reported.size(), 1u);
   EXPECT_EQ(reported[0].kind, IncidentKind::scheme_diverged);
   EXPECT_EQ(reported[0].body, &body);
-  EXPECT_EQ(reported[0].body_steps, 26u);  // sqrt(2)^26 = 8192 is the last below 10,000
+  EXPECT_EQ(reported[0].body_steps, 26u);  // sqrt(2)^26 = 8192 is the last one below 10,000
   const BodyRotation rotation = this->scene_.rotation().rotation_of(body);
   EXPECT_TRUE(rotation.diverged);
   EXPECT_TRUE(same(stopped_at, to_bullet(rotation.state.q_WB.toRotationMatrix())));

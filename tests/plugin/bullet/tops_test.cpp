@@ -8,7 +8,7 @@ namespace polhode::testing {
 namespace {
 
 struct TopRun {
-  double precession_error;  // of the mean rate, relative
+  double precession_error;  // relative to the mean rate
   Range tilt;               // rad
 };
 

@@ -42,7 +42,7 @@ RotationState state_of(const btRigidBody& body, const Vector3& inertia_B) {
                              testing::omega_of(body));
 }
 
-// Depends on everything that a law is told.
+// Depends on all inputs of a law.
 Torque of_everything(const TorqueLawInput& motion) {
   const Vector3 pull_W = (motion.q_WB * Vector3::UnitX()).cross(Vector3(0.6, 0.0, 0.8));
   return Torque(WorldTorque{pull_W * std::cos(3.0 * motion.time_s) +
@@ -57,7 +57,7 @@ class TorqueLaws : public ::testing::Test {
 };
 TYPED_TEST_SUITE(TorqueLaws, BothWays, WayName);
 
-// In either way in a free body takes the step of the scheme to the last bit.
+// A free body takes the scheme's own driven step, bit for bit, with RotationWorld and with RotationPlugin.
 TYPED_TEST(TorqueLaws, OfAFreeBodyAreTheStepOfTheScheme) {
   const Vector3 inertia_B(1, 2, 3);
   for (const SchemePointer& scheme : built_in_schemes()) {
@@ -90,7 +90,7 @@ TYPED_TEST(TorqueLaws, OfAFreeBodyAreTheStepOfTheScheme) {
   }
 }
 
-// Two orders above what a torque by applyTorque does.
+// The error falls with dt^2, instead of dt for applyTorque.
 TYPED_TEST(TorqueLaws, OfAConstantTorqueAreOfOrderTwo) {
   const Vector3 torque_W(1, -2, 3);
   const double duration = 1.0;
@@ -116,8 +116,8 @@ TYPED_TEST(TorqueLaws, OfAConstantTorqueAreOfOrderTwo) {
   EXPECT_GE(error(128, false), 10 * error(128, true));
 }
 
-// A rod on a hinge, mounted askew, swings on a spring about the hinge's axis. Bullet's solver has the torque as part of the
-// velocity it starts from.
+// A rod, mounted askew on a hinge, swings on a spring about the hinge's axis. Bullet's solver gets the torque
+// as part of the initial velocity.
 TYPED_TEST(TorqueLaws, SwingABodyOnItsHinge) {
   const Vector3 inertia_B(1, 2, 3);
   btRigidBody& body =
@@ -126,7 +126,7 @@ TYPED_TEST(TorqueLaws, SwingABodyOnItsHinge) {
   const Vector3 axis_B = to_double(basis).transpose() * Vector3::UnitZ();
   this->scene_.template join<btHingeConstraint>(body, vector(0, 0, 0), to_bullet(axis_B));
   const double moment = axis_B.dot(inertia_B.cwiseProduct(axis_B));
-  const double omega = 2.0 * M_PI;  // a swing a second
+  const double omega = 2.0 * M_PI;  // one swing per second
   const double stiffness = moment * omega * omega;
   const Quaternion rest = to_quaternion(basis);
   this->scene_.rotation().set_torque_law(body, orientation_spring(rest, stiffness));
@@ -151,7 +151,7 @@ TYPED_TEST(TorqueLaws, SwingABodyOnItsHinge) {
   EXPECT_NEAR(crossings, 40, 1);
 }
 
-// What a constant law does about the free axis of a locked body is what theory says.
+// A constant torque turns a locked body about its free axis as theory predicts.
 TYPED_TEST(TorqueLaws, TurnABodyWithLockedAxesAboutTheFreeOne) {
   btRigidBody& body = this->scene_.add_free(vector(1, 2, 3), vector(0, 0, 0));
   body.setAngularFactor(vector(0, 0, 1));
@@ -215,7 +215,7 @@ TYPED_TEST(TorqueLaws, ThatBlowUpAreADivergedBody) {
   EXPECT_EQ(testing::omega_of(body), Vector3::Zero());
 }
 
-// A law stays as a choice of scheme does.
+// A law persists as a body's scheme does.
 TYPED_TEST(TorqueLaws, StayUntilTheBodyIsReleasedOrAbsentFromAStep) {
   btRigidBody& body = this->scene_.add_free(vector(1, 2, 3), vector(0, 0, 0));
   int asked = 0;
@@ -252,7 +252,7 @@ TYPED_TEST(TorqueLaws, StayUntilTheBodyIsReleasedOrAbsentFromAStep) {
   EXPECT_FALSE(is_asked());
 }
 
-// Setting and clearing a law moves the body to other batches and back, and changes nothing else.
+// Setting and clearing a law moves the body to other batches and back without any other effect.
 TYPED_TEST(TorqueLaws, ComeAndGoWithoutATrace) {
   std::vector<btRigidBody*> bodies;
   for (int i = 0; i < 21; ++i) bodies.push_back(&this->scene_.add_free(vector(1, 2, 3), vector(1, i, 2)));
@@ -288,7 +288,7 @@ TYPED_TEST(TorqueLaws, OfBodiesThatNoSchemeRotatesAreRefused) {
   EXPECT_THROW(rotation.set_time(std::numeric_limits<double>::infinity()), std::invalid_argument);
 }
 
-// A multibody without links is driven as a rigid body is.
+// A multibody without links is driven like a rigid body.
 TEST(TorqueLawsOfMultibodies, AreThoseOfARigidBody) {
   testing::MultibodyScene<RotationWorld<btMultiBodyDynamicsWorld>> scene;
   btMultiBody& multibody = scene.add_free_multibody(vector(1, 2, 3), vector(0.5, 2, -0.7));

@@ -1,4 +1,4 @@
-// Torques reach every scheme, and forces through the centre of mass turn nothing.
+// Torques act with every scheme; forces through the centre of mass do not turn the body.
 #include <gtest/gtest.h>
 
 #include "support/both_ways.h"
@@ -16,7 +16,7 @@ template <class Way>
 class Torque : public ::testing::Test {};
 TYPED_TEST_SUITE(Torque, BothWays, WayName);
 
-// With all moments equal there is no gyroscopic term: I omega is the integral of the torque.
+// With equal moments there is no gyroscopic term: I omega is the integral of the torque.
 TYPED_TEST(Torque, SpinsUpASphericalBodyByItsIntegral) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     // A swollen body has other moments.
@@ -36,7 +36,7 @@ TYPED_TEST(Torque, SpinsUpASphericalBodyByItsIntegral) {
   }
 }
 
-// At once, and for good where the scheme keeps it.
+// Immediately, and permanently if the scheme conserves momentum.
 TYPED_TEST(Torque, ImpulseIsAChangeOfAngularMomentum) {
   const Vector3 impulse_W(2, -1, 4);
   for (const SchemePointer& scheme : built_in_schemes()) {
@@ -68,14 +68,14 @@ RotationState after_one_second(const SchemePointer& scheme, double dt) {
   return scene.rotation().rotation_of(body).state;
 }
 
-// Halving the step halves the error, or better.
+// Halving the step at least halves the error.
 TYPED_TEST(Torque, TurnsAnAsymmetricBodyAsEulersEquationsSay) {
   const Vector3 inertia_B(1, 2, 4);
   const Quaternion q_WB = to_quaternion(btMatrix3x3(kTilted));
   const RotationState start = state_from(inertia_B, q_WB, Vector3(0.5, 1, -0.5));
   const RotationState reference = integrate_finely(inertia_B, start, 1.0, 20000, Vector3(1, -2, 3));
   const RotationState free = integrate_finely(inertia_B, start, 1.0, 20000);
-  EXPECT_GT((free.omega_W - reference.omega_W).norm(), 0.5);  // the torque's part
+  EXPECT_GT((free.omega_W - reference.omega_W).norm(), 0.5);  // without the torque
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
     const RotationState coarse = after_one_second<TypeParam>(scheme, 1.0 / 256);

@@ -1,5 +1,5 @@
-// RotationWorld and RotationPlugin give the same bits whatever acts on the bodies: joints, locked axes,
-// contacts, changes between two steps and within one, from the first step on.
+// RotationWorld and RotationPlugin give the same bits from the first step on, whatever acts on the bodies:
+// joints, locked axes, contacts, changes between steps and within a step.
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ class Kicks final : public btActionInterface {
   int step_ = 0;
 };
 
-/// One of everything that may hold a body, far apart.
+/// One body for each kind of constraint, far apart from each other.
 template <class AnyScene>
 void add_everything(AnyScene& scene) {
   add_hinged_rod(scene, 20);
@@ -51,7 +51,7 @@ void add_everything(AnyScene& scene) {
   scene.template join<btPoint2PointConstraint>(a, b, btVector3(5, 0, 0), btVector3(-5, 0, 0));
   btRigidBody& damped = scene.add_free(btVector3(1, 2, 3), vector(4, 2, 3));
   damped.setDamping(btScalar(0.1), btScalar(0.3));
-  // Two that meet, and a box on a platform of its own.
+  // Two bodies that collide, and a box on its own platform.
   btRigidBody& flying = scene.add_free(btVector3(1, 2, 3), vector(1, 2, 3));
   flying.setLinearVelocity(btVector3(8, 0, 0));
   scene.add_free(btVector3(1, 2, 3), vector(3, 2, 1));
@@ -66,7 +66,8 @@ void add_everything(AnyScene& scene) {
   resting.setAngularVelocity(btVector3(1, 2, 6));
 }
 
-/// The same scene in both ways, and the world's actions before the plugin's or after.
+/// The same scene in a RotationWorld and under a RotationPlugin, which is attached before or after another
+/// action is added.
 template <class World>
 class BothAtOnce {
  public:
@@ -142,7 +143,7 @@ TYPED_TEST(TwoWaysIn, AgreeFromTheFirstStepOnForEveryScheme) {
   }
 }
 
-// Calls that take no step, one and several, with time left over.
+// Calls that take no step, one step or several, with time left over.
 TYPED_TEST(TwoWaysIn, AgreeWithSubsteps) {
   BothAtOnce<TypeParam> both;
   for (int call = 1; call <= 100; ++call) {
@@ -153,7 +154,7 @@ TYPED_TEST(TwoWaysIn, AgreeWithSubsteps) {
   }
 }
 
-// One change to one body between two steps.
+// Applies one change to a body between two steps.
 void change(btRigidBody& body, int what) {
   switch (what) {
     case 0:
@@ -215,7 +216,7 @@ TYPED_TEST(TwoWaysIn, AgreeWithChangesBetweenSteps) {
   }
 }
 
-// Tick callbacks, which run at the two ends of a step, make the changes.
+// Tick callbacks at the start and end of a step make the changes.
 TYPED_TEST(TwoWaysIn, AgreeWithChangesWithinAStep) {
   for (const bool pre : {true, false}) {
     BothAtOnce<TypeParam> both;
@@ -253,7 +254,7 @@ TYPED_TEST(TwoWaysIn, AgreeWhenBodiesComeAndGo) {
   }
 }
 
-// A solver that assumes a symmetric matrix is given one, in both ways.
+// For solvers that assume a symmetric matrix, both must provide one.
 TEST(TwoWaysInOfADantzigSolver, Agree) {
   btDantzigSolver inner_here, inner_there;
   btMLCPSolver here(&inner_here), there(&inner_there);

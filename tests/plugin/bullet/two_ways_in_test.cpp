@@ -1,4 +1,4 @@
-// RotationWorld and RotationPlugin give the same bits, on each kind of world that they claim.
+// RotationWorld and RotationPlugin give the same bits on each supported kind of world.
 #include <gtest/gtest.h>
 
 #include "polhode/bullet/rotation_plugin.h"
@@ -27,7 +27,7 @@ void add_pile(Scene<World>& scene) {
 }
 
 void choose_schemes(RotationControl& rotation, const std::vector<std::unique_ptr<btRigidBody>>& bodies) {
-  // The bodies between keep the default. `matrix` swells until it is stopped.
+  // The other bodies keep the default scheme. `matrix` swells until it is stopped.
   const auto& schemes = built_in_schemes();
   for (std::size_t i = 1; i < bodies.size(); i += 2) {
     rotation.set_scheme(*bodies[i], schemes[i / 2 % schemes.size()]);
@@ -78,7 +78,7 @@ TYPED_TEST(BothWaysIn, GiveTheSameBitsInFreeFlightForEveryScheme) {
     plugin.rotation().set_default_scheme(scheme);
     attached.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
 
-    // To the divergence of `matrix`, and past it.
+    // Up to the divergence of `matrix`, and beyond.
     EXPECT_EQ(first_step_that_differs(subclassed, attached, btScalar(1.0 / 60.0), 2000), 0)
         << scheme->description().name;
   }

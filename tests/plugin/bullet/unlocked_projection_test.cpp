@@ -1,4 +1,4 @@
-// project_onto_unlocked_axes by itself, against the constrained equations solved whole.
+// Tests project_onto_unlocked_axes against a direct solution of the constrained equations.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -10,10 +10,10 @@
 namespace polhode::testing {
 namespace {
 
-// Gauss: of all velocities x without the locked components the body takes the one nearest to the free velocity
-// v in the metric of its inertia. With multipliers y for the locked components P^T x = 0:
-//   [ I_W  P ] [x]   [ I_W v ]
-//   [ P^T  0 ] [y] = [   0   ]
+// Gauss's principle: among all velocities x without locked components, the body takes the one nearest to the
+// free velocity v in the metric of its inertia. With multipliers y for the locked components, P^T x = 0:
+//  [ I_W  P ] [x]   [ I_W v ]
+//  [ P^T  0 ] [y] = [   0   ]
 Vector3 by_multipliers(const Matrix3& inertia_W, const Vector3& angular_factor, const Vector3& free_W) {
   std::vector<int> locked;
   for (int axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ TEST(ProjectionOntoUnlockedAxes, SolvesTheConstrainedEquations) {
         project_onto_unlocked_axes(inverse_inertia_W(R_WB, inertia_B), factor, free_W);
     const Matrix3 inertia_W = R_WB * inertia_B.asDiagonal() * R_WB.transpose();
     const Vector3 expected = by_multipliers(inertia_W, factor, free_W);
-    // Against the free components' own size: they can be large where the inertias differ much.
+    // Relative to the free components, which can be large where the moments differ much.
     worst = std::max(worst, (projected_W - expected).norm() / std::max(free_W.norm(), expected.norm()));
     for (int axis = 0; axis < 3; ++axis) {
       if (factor[axis] != 0.0) continue;
@@ -73,7 +73,7 @@ TEST(ProjectionOntoUnlockedAxes, LeavesNothingWhereAllIsLocked) {
   EXPECT_EQ(project_onto_unlocked_axes(inverse, Vector3(0, 0, 0), Vector3(4, 5, 6)), Vector3::Zero());
 }
 
-// A factor between 0 and 1 scales what torques do, and locks nothing.
+// A factor between 0 and 1 scales torques and locks nothing.
 TEST(ProjectionOntoUnlockedAxes, LeavesAScaledAxisAlone) {
   const Matrix3 inverse = inverse_inertia_W(Matrix3::Identity(), Vector3(1, 2, 3));
   EXPECT_EQ(project_onto_unlocked_axes(inverse, Vector3(0.5, 0, 1), Vector3(4, 5, 6)), Vector3(4, 0, 6));

@@ -1,5 +1,5 @@
-// A plugin leaves its world exactly as it found it, for each of Bullet's worlds, and whoever else had a hand
-// in it.
+// A plugin leaves its world exactly as it found it, for each kind of Bullet world, even if the application
+// changed the world meanwhile.
 #include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
 #include <BulletDynamics/Dynamics/btSimulationIslandManagerMt.h>
 #include <gmock/gmock.h>
@@ -53,7 +53,7 @@ class CountingAction final : public btActionInterface {
 void tick(btDynamicsWorld* /*world*/, btScalar /*dt*/) {}
 void pre_tick(btDynamicsWorld* /*world*/, btScalar /*dt*/) {}
 
-/// Everything that a plugin might disturb.
+/// Everything that a plugin might change.
 struct Inventory {
   explicit Inventory(btDiscreteDynamicsWorld& world)
       : actions(Members::actions(world)),
@@ -87,7 +87,7 @@ struct Inventory {
 template <class World>
 class WorldLeftAsFound : public ::testing::Test {
  protected:
-  // A world in use: actions, ticks, bodies.
+  // A world in use, with actions, tick callbacks and bodies.
   WorldLeftAsFound() : scene_(std::make_unique<Scene<World>>()) {
     world().addAction(&first_);
     world().addAction(&second_);
@@ -166,7 +166,7 @@ TYPED_TEST(WorldLeftAsFound, WithWhatTheApplicationChangedMeanwhile) {
   this->world().removeAction(&fourth);
 }
 
-// Ahead of all others, whatever was added before it or after.
+// The plugin's action comes first, whatever was added before or after.
 TYPED_TEST(WorldLeftAsFound, HasThePluginAheadOfItsActionsMeanwhile) {
   RotationPlugin plugin(this->world());
   CountingAction fourth;
@@ -180,8 +180,8 @@ TYPED_TEST(WorldLeftAsFound, HasThePluginAheadOfItsActionsMeanwhile) {
   this->world().removeAction(&fourth);
 }
 
-// It *is* an island manager; in a multi-threaded world one of that kind, with the settings of the world's
-// own.
+// The plugin's island manager has the same type as the world's: in a multithreaded world a multithreaded one,
+// with the same settings.
 TYPED_TEST(WorldLeftAsFound, HasAnIslandManagerOfItsKindMeanwhile) {
   auto* const multi_threaded =
       dynamic_cast<btSimulationIslandManagerMt*>(Members::island_manager(this->world()));
@@ -203,7 +203,7 @@ TYPED_TEST(WorldLeftAsFound, HasAnIslandManagerOfItsKindMeanwhile) {
   EXPECT_EQ(multi_threaded->getMinimumSolverBatchSize(), 55);
 }
 
-// The plugin then simply does nothing any more.
+// After its world is deleted, the plugin does nothing.
 TYPED_TEST(WorldLeftAsFound, MayDieBeforeItsPlugin) {
   RotationPlugin plugin(this->world());
   this->scene_->step(kDt, 3);
@@ -222,8 +222,8 @@ TYPED_TEST(WorldLeftAsFound, MayDieBeforeItsPlugin) {
   plugin.detach();
 }
 
-// ... and while it is detached, when the plugin's own island manager is not there to tell of it. The plugin
-// may only be destroyed then.
+// The world may also be deleted while the plugin is detached. The plugin's own island manager then cannot
+// report the deletion, and the plugin may only be destroyed afterwards.
 TYPED_TEST(WorldLeftAsFound, MayDieWhileItsPluginIsDetached) {
   auto plugin = std::make_unique<RotationPlugin>(this->world());
   plugin->detach();
@@ -232,7 +232,7 @@ TYPED_TEST(WorldLeftAsFound, MayDieWhileItsPluginIsDetached) {
   plugin.reset();
 }
 
-// A world at the address of a dead one is another.
+// A new world at the address of a deleted one is a different world.
 TYPED_TEST(WorldLeftAsFound, MayBeFollowedByAnotherAtItsAddress) {
   for (int i = 0; i < 3; ++i) {
     auto scene = std::make_unique<Scene<TypeParam>>();
@@ -260,7 +260,7 @@ TYPED_TEST(WorldLeftAsFound, RefusesASecondPluginAndTheFirstGoesOn) {
   EXPECT_EQ(third.rotation().rotation_of(*this->body_).steps, 2u);
 }
 
-// From a tick callback, from another action, from an incident handler: within the step.
+// Detaches in the tick callbacks at the start and end of a step.
 TYPED_TEST(WorldLeftAsFound, AfterAPluginThatIsDetachedWithinAStep) {
   const Inventory before(this->world());
   RotationPlugin plugin(this->world());
@@ -281,7 +281,7 @@ TYPED_TEST(WorldLeftAsFound, AfterAPluginThatIsDetachedWithinAStep) {
   EXPECT_EQ(this->body_->getFlags(), BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY);
 }
 
-/// An application's own, that it puts in place of the world's.
+/// An application's own island manager, which replaces the world's.
 class TheirManager : public btSimulationIslandManager {
  public:
   void updateActivationState(btCollisionWorld* world, btDispatcher* dispatcher) override {
@@ -304,7 +304,7 @@ template <class World>
 using ManagerFor =
     std::conditional_t<std::is_base_of_v<btDiscreteDynamicsWorldMt, World>, TheirManagerMt, TheirManager>;
 
-// It does what it does for itself; nobody else's does that.
+// The plugin refuses a custom island manager, whose behaviour it could not reproduce.
 TYPED_TEST(WorldLeftAsFound, IsRefusedWithAnIslandManagerOfTheApplicationsOwn) {
   ManagerFor<TypeParam> theirs;
   btSimulationIslandManager* const own = std::exchange(Members::island_manager(this->world()), &theirs);
@@ -322,7 +322,8 @@ TYPED_TEST(WorldLeftAsFound, IsRefusedWithAnIslandManagerOfTheApplicationsOwn) {
   EXPECT_NO_THROW(RotationPlugin plugin(this->world()));
 }
 
-// Replaced while the plugin is attached, and put back before it goes.
+// The application replaces the island manager while the plugin is attached, and restores it before the plugin
+// is destroyed.
 TYPED_TEST(WorldLeftAsFound, ThoughItsIslandManagerWasReplacedForATime) {
   const Inventory before(this->world());
   {
@@ -340,8 +341,9 @@ TYPED_TEST(WorldLeftAsFound, ThoughItsIslandManagerWasReplacedForATime) {
   EXPECT_TRUE(Inventory(this->world()) == before);
 }
 
-// Replaced, and still so when the plugin goes: theirs stays, and the plugin's goes on as a plain one for whoever
-// holds it. Put back, it is the world's to free, with the one that it stood in for.
+// The application replaces the island manager and does not restore it before the plugin is destroyed. The
+// application's manager stays, and the plugin's continues to work as a plain one. If it is put back later,
+// the world frees it together with the original one.
 TYPED_TEST(WorldLeftAsFound, ButForAnIslandManagerThatIsStillSomebodyElses) {
   ManagerFor<TypeParam> theirs;
   btSimulationIslandManager* plugins = nullptr;

@@ -60,7 +60,7 @@ TEST(FreeTopStep, KeepsTheNumberOfItsSubstepsBesideTheOrderOfItsAxes) {
   }
 }
 
-/// A short step of one motion.
+/// A single short step of a motion.
 template <class Real>
 struct Made {
   Substep<Real> substep;
@@ -104,7 +104,8 @@ TEST(Substep, OfEightBodiesIsThatOfEachToTheLastBit) {
   }
 }
 
-// Past 1e15 rad rounding decides how many periods are whole; the rest would take hours of substeps.
+// Above 1e15 rad, rounding determines the number of whole periods; the remainder would otherwise take hours
+// of substeps.
 TEST(FreeTopStep, TakesFewSubstepsHoweverLongItIs) {
   for (const Vector3& inertia_B : {Vector3(1, 2, 3), Vector3(1e-6, 1, 1e6), Vector3(1, 1, 2)}) {
     for (const Vector3& direction_B : {Vector3(1, 2, 3), Vector3(1e-9, 1, 1e-9), Vector3(0, 1, 0)}) {

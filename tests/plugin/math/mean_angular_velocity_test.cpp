@@ -53,7 +53,7 @@ Vector3 found(const Case& one) {
   return found_each(cases)[3];
 }
 
-// A turn at omega_W for dt, and a velocity that is nearly omega_W.
+// A turn by omega_W for dt, and a nearby velocity as the hint.
 Case turn_at(const Vector3& omega_W, double dt, const Quaternion& start_q_WB, const Vector3& offset_W) {
   const Quaternion turn_W = exponential(dt * omega_W);
   return {start_q_WB, turn_W * start_q_WB, omega_W + offset_W, dt};
@@ -65,7 +65,7 @@ TEST(MeanAngularVelocity, IsTheVelocityOfTheTurnThatIsNearest) {
     const double turn = std::pow(10.0, -8.0 + 12.0 * i / 20000.0);  // rad, up to 1e4
     const double dt = i % 3 == 0 ? -0.02 : kDt;
     const Vector3 omega_W = turn / dt * random.omega_W().normalized();
-    // Up to 2 rad beside it; a turn of nearly whole turns would have an uncertain axis.
+    // Up to 2 rad from the true turn. Near whole turns the axis would be uncertain.
     if (std::abs(std::sin(0.5 * turn)) < 1e-2 && turn > 1.0) continue;
     const Vector3 offset_W = 1.9 / std::abs(dt) * (i % 20 / 20.0) * random.omega_W().normalized();
     const Case one = turn_at(omega_W, dt, random.q_WB(), turn > 2.0 ? offset_W : Vector3(0.5 * offset_W));
@@ -82,7 +82,7 @@ TEST(MeanAngularVelocity, At200RadPerSecondIs200) {
   EXPECT_NEAR(found(turn_at(omega_W, -kDt, Quaternion::Identity(), {1, 2, -3})).z(), 200.0, 1e-12);
 }
 
-// The orientations are the same, or differ by rounding alone: the turn has no axis of its own.
+// The orientations are equal, or differ only by rounding: the axis cannot be computed from them.
 TEST(MeanAngularVelocity, OfWholeTurnsHasTheAxisOfTheNearVelocity) {
   RandomBody random(52);
   for (const double turns : {1.0, 2.0, -1.0, 40.0}) {
@@ -110,7 +110,7 @@ TEST(MeanAngularVelocity, AtRestIsZero) {
   EXPECT_LE(found({q_WB, q_WB, Vector3::Zero(), kDt}).norm() * kDt, 1e-16);
 }
 
-// On both sides of the limit between the series and the general way.
+// On both sides of the limit between the series and the general formula.
 TEST(MeanAngularVelocity, IsContinuousWhereTheSeriesEnds) {
   for (const double turn : {0.4510, 0.45102, 0.4511}) {
     const Vector3 omega_W(0, turn / kDt, 0);

@@ -34,7 +34,7 @@ class NearestRotation : public ::testing::Test {
   std::mt19937 generator_{22};
 };
 
-// U V^T of the singular value decomposition, in extended precision where there is any.
+// Returns U V^T of the singular value decomposition, in extended precision where available.
 Quaternion nearest_by_decomposition(const Matrix3& R) {
   using Long = Eigen::Matrix<long double, 3, 3>;
   const Eigen::JacobiSVD<Long> svd(R.cast<long double>(), Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -56,7 +56,7 @@ TEST_F(NearestRotation, OfARotationTimesANumberIsTheRotation) {
   EXPECT_EQ(nearest(Matrix3::Identity()).coeffs(), Quaternion::Identity().coeffs());
 }
 
-// Rotations by half a turn and near it, where the scalar part of the quaternion vanishes.
+// Rotations by half a turn or nearly so, where the scalar part of the quaternion vanishes.
 TEST_F(NearestRotation, OfAHalfTurnIsAccurate) {
   for (const double less_than_half_turn : {0.0, 1e-300, 1e-12, 1e-8, 1e-4, 1e-2}) {
     for (int i = 0; i < 100; ++i) {
@@ -71,7 +71,8 @@ TEST_F(NearestRotation, OfAHalfTurnIsAccurate) {
   }
 }
 
-// The nearest rotation turns by (rounding of R) / (sum of the two smaller singular values) at least.
+// Rounding of R inevitably turns the nearest rotation by the rounding divided by the sum of the two smaller
+// singular values.
 TEST_F(NearestRotation, IsThatOfTheSingularValueDecomposition) {
   for (const double condition : {1.01, 1.1, 2.0, 10.0, 1e2, 1e4, 1e6, 1e8}) {
     for (int i = 0; i < 2000; ++i) {
@@ -86,7 +87,7 @@ TEST_F(NearestRotation, IsThatOfTheSingularValueDecomposition) {
   }
 }
 
-// As `matrix` makes them: it swells across the axis.
+// Matrices as made by the scheme `matrix`, which swell across the axis.
 TEST_F(NearestRotation, OfASwollenBodyIsAccurateToRounding) {
   for (const double swelling : {1.0, 1.001, 1.5, 10.0, 1e3, 1e4}) {
     for (int i = 0; i < 1000; ++i) {
@@ -100,7 +101,7 @@ TEST_F(NearestRotation, OfASwollenBodyIsAccurateToRounding) {
 TEST_F(NearestRotation, IsAUnitQuaternionWhateverTheMatrix) {
   for (int i = 0; i < 20000; ++i) {
     Matrix3 R = random_with({log_uniform(1e-9, 1e9), log_uniform(1e-9, 1e9), -log_uniform(1e-9, 1e9)});
-    if (i % 2 == 0) R = R.array().round().cwiseMax(-2.0).cwiseMin(2.0);  // singular ones among them
+    if (i % 2 == 0) R = R.array().round().cwiseMax(-2.0).cwiseMin(2.0);  // includes singular ones
     EXPECT_NEAR(nearest(R).norm(), 1.0, 1e-15);
   }
   const double infinity = std::numeric_limits<double>::infinity();
@@ -113,7 +114,7 @@ TEST_F(NearestRotation, IsAUnitQuaternionWhateverTheMatrix) {
   }
 }
 
-// det R < 0, which no step leads to: no rotation is the polar factor, that of -R is.
+// det R < 0, which no step produces: the polar factor is not a rotation, but that of -R is.
 TEST_F(NearestRotation, OfAReflectedMatrixIsThatOfItsNegative) {
   for (int i = 0; i < 1000; ++i) {
     const Matrix3 R = random_with({1.0, log_uniform(0.1, 1.0), log_uniform(0.1, 1.0)});
@@ -129,7 +130,7 @@ TEST_F(NearestRotation, TakesTheSignOfTheQuaternionBefore) {
   }
 }
 
-// A lane that needs few iterations waits for its neighbours without a change.
+// A lane that needs few iterations waits for the others unchanged.
 TEST_F(NearestRotation, InALaneDoesNotDependOnTheOthers) {
   for (int i = 0; i < 1000; ++i) {
     Matrix3Wide R_lanes;

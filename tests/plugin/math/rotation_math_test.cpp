@@ -28,7 +28,7 @@ TEST(RotationMath, ExponentialIsAxisAndAngleOnBothSidesOfItsSeries) {
   const Vector3 axis = Vector3(1.0, -2.0, 0.5).normalized();
   for (const double angle : {1e-300, 1e-12, 1e-6, 0.99e-3, 0.9999e-3, 1.0001e-3, 1e-2, 1.0, 3.0, 6.0, 50.0}) {
     const Quaternion q = exponential(angle * axis);
-    // The angle itself, |v|, is rounded. Measured 6.3e-17 relative up to 1 rad, 3.6e-15 at 50 rad.
+    // The angle |v| itself is rounded. Measured 6.3e-17 relative up to 1 rad, 3.6e-15 at 50 rad.
     EXPECT_NEAR(q.w(), std::cos(0.5 * angle), kEpsilon * (1.0 + angle)) << angle;
     EXPECT_LE((q.vec() - std::sin(0.5 * angle) * axis).norm(), kEpsilon * (angle + std::min(1.0, angle)))
         << angle;
@@ -36,7 +36,7 @@ TEST(RotationMath, ExponentialIsAxisAndAngleOnBothSidesOfItsSeries) {
   EXPECT_EQ(exponential(Vector3::Zero()).coeffs(), Quaternion::Identity().coeffs());
 }
 
-// The error is measured against extended precision, where the platform has it.
+// Compares with extended precision where available.
 TEST(RotationMath, ExponentialOfLargeTurnsIsAccurate) {
   RandomBody random(3);
   for (double angle = 1.0; angle <= 1e6; angle *= 1.01) {
@@ -77,7 +77,7 @@ TEST(RotationMath, LogarithmUndoesTheExponential) {
     // measured 0
     EXPECT_LE((logarithm(exponential(angle * axis)) - angle * axis).norm(), 2e-15) << angle;
   }
-  // The shorter way round, whichever of q and -q is given; measured 8.9e-16.
+  // Takes the shorter way for both q and -q; measured 8.9e-16.
   EXPECT_NEAR(logarithm(exponential(4.0 * axis)).norm(), 2.0 * M_PI - 4.0, 2e-15);
 }
 
@@ -90,7 +90,7 @@ TEST(RotationMath, AngularMomentumUndoesInverseInertiaForAnyBasis) {
     R_WB.col(1) *= 1.5;  // swollen
     R_WB.col(2) += 0.2 * R_WB.col(0);
     const Vector3 L_W = angular_momentum_W(R_WB, inertia_B, omega_W);
-    // The condition number of the inertia, up to 1e4, multiplies the rounding; measured 2.7e-13.
+    // The condition number of the inertia, up to 1e4, amplifies rounding; measured 2.7e-13.
     EXPECT_LE((inverse_inertia_W(R_WB, inertia_B) * L_W - omega_W).norm(), 1e-12 * omega_W.norm());
   }
 }
@@ -133,8 +133,8 @@ TEST(RotationMath, ImplicitChangeIsThatOfTheScheme) {
 }
 
 TEST(RotationMath, ImplicitChangeSolvesItsNewtonEquation) {
-  // Extended, where the platform has it: a cross product of nearly parallel vectors rounds by more than is
-  // tested.
+  // In extended precision where available: a cross product of nearly parallel vectors rounds by more than the
+  // tolerance.
   using Vector = Eigen::Matrix<long double, 3, 1>;
   RandomBody random(2);
   for (int i = 0; i < 200000; ++i) {
@@ -149,7 +149,7 @@ TEST(RotationMath, ImplicitChangeSolvesItsNewtonEquation) {
     const Vector L_change = inertia_B.cast<long double>().cwiseProduct(change);
     const Vector left = L_change + dt * (omega.cross(L_change) + change.cross(L));
     const Vector right = -dt * omega.cross(L);
-    // measured 5.5e-16 of the terms' size; 4e-15 by Cramer's rule alone
+    // measured 5.5e-16 relative to the terms; 4e-15 with Cramer's rule alone
     const long double size =
         L_change.norm() + dt * (omega.norm() * L_change.norm() + change.norm() * L.norm());
     EXPECT_LE((left - right).norm(), 2e-15L * size);

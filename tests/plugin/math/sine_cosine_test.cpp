@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kUlp = 2.2e-16;
 
-// The larger of the two errors, absolute.
+// Returns the larger of the two absolute errors.
 double error_of(const SineCosine<double>& found, double x) {
   const auto exact = static_cast<long double>(x);
   return static_cast<double>(
@@ -45,7 +45,7 @@ TEST(SineCosine, OfLargeNumbersAreGoodToAnUlpOfOne) {
   EXPECT_LE(worst, kUlp);  // measured 1.81e-16
 }
 
-// The reduced argument cancels most at these multiples, and the quadrant changes there.
+// At these multiples the argument reduction cancels most, and the quadrant changes.
 TEST(SineCosine, OfMultiplesOfAnEighthTurnAreGoodToAnUlpOfOne) {
   double worst = 0.0;
   for (int k = -600000; k <= 600000; k += k % 7 == 0 ? 1 : 13) {
@@ -57,7 +57,7 @@ TEST(SineCosine, OfMultiplesOfAnEighthTurnAreGoodToAnUlpOfOne) {
   EXPECT_LE(worst, kUlp);  // measured 1.89e-16
 }
 
-// A turn of 1e9 rad is itself known to 1e-7 only.
+// An angle of 1e9 rad is itself known only to 1e-7.
 TEST(SineCosine, BeyondAreAsGoodAsTheirArgument) {
   for (double x = 1e6; x < 1e12; x *= 1.1) {
     EXPECT_LE(error_of(sine_cosine(x), x), kUlp * x) << x;  // measured 9.7e-17 x

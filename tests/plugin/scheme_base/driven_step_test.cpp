@@ -1,4 +1,4 @@
-// Torque laws and motors: what a step with them converges to, and how fast.
+// Torque laws and motors: what steps converge to, and with which order.
 #include "scheme_base/driven_step.h"
 
 #include <gtest/gtest.h>
@@ -57,7 +57,7 @@ Vector3 pull(const TorqueLawInput& motion) {
   return 20.0 * (motion.q_WB * Vector3::UnitX()).cross(Vector3(0.6, 0.0, 0.8));
 }
 
-/// Torques that depend on the pose, the rate, the time, the place, and all of them.
+/// Returns laws that depend on the pose, the angular velocity, the time, the position, and all of these.
 std::vector<NamedLaw> laws() {
   const auto in_time = [](const TorqueLawInput& motion) {
     return WorldTorque{Vector3(std::sin(9.0 * motion.time_s), 3.0, std::cos(5.0 * motion.time_s)) * 4.0};
@@ -97,7 +97,7 @@ TEST_P(EveryLaw, ConvergesWithItsOrderOrTheSchemes) {
   for (const TorqueLawOrder order : {TorqueLawOrder::two, TorqueLawOrder::four}) {
     const int expected = std::min(of_scheme, of_scheme == 1 ? 1 : static_cast<int>(order));
     SCOPED_TRACE("order " + std::to_string(expected));
-    // Fine enough for the leading term of the error, coarse enough for it to stand far above rounding.
+    // Small enough for the leading term of the error to dominate, large enough for rounding not to matter.
     const int steps = expected == 1 ? 4000 : expected == 2 ? 800 : 60;
     EXPECT_NEAR(slope(order, steps), expected, 0.1);
   }
@@ -179,8 +179,8 @@ TEST(DrivenStep, OfASchemeWithoutRotorsFailsALawThatTurnsThem) {
   }
 }
 
-// The pendulum of two magnets. A law of the pose is a kick of a symplectic scheme: its energy swings, and does not
-// drift.
+// A pendulum of two magnets. A law of the pose acts as the kick of a symplectic scheme: the energy oscillates
+// without drift.
 TEST(DrivenStep, KeepsTheEnergyOfAConservativeLawForAMillionSteps) {
   const Vector3 dipole_B = Vector3::UnitX();
   const Vector3 field_W(0.6, 0.0, 0.8);
@@ -211,7 +211,7 @@ TEST(DrivenStep, KeepsTheEnergyOfAConservativeLawForAMillionSteps) {
   EXPECT_LE(last, 1.2 * first);
 }
 
-// From inside the body nobody can change its momentum.
+// Internal torques cannot change the total momentum.
 TEST(DrivenStep, OfMotorsKeepsTheWholeMomentum) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     if (!scheme->description().takes_rotors || scheme->description().angular_momentum != Conservation::exact)
@@ -245,7 +245,7 @@ TEST(DrivenStep, OfMotorsConvergesWithOrderTwo) {
   }
 }
 
-// Energy dies away inside the body until it turns about its axis of largest moment.
+// Internal damping dissipates energy until the body spins about its axis of largest moment.
 TEST(DrivenStep, OfInternalDampingKeepsMomentumAndLosesEnergy) {
   Drive drive;
   drive.law = internal_damping(0.2, 0.4);

@@ -1,4 +1,4 @@
-// Eight bodies in one call: each has the bits of a step of its own, whatever the other lanes hold.
+// Steps eight bodies in one call: each gets the bits of a step of its own, whatever the other lanes contain.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -27,7 +27,7 @@ struct Body {
   RotationState state;
 };
 
-/// Free and kicked bodies, forwards and backwards in time, at rest, fast, and some that are no bodies.
+/// Free and kicked bodies, with dt forwards and backwards, at rest, fast, and some with invalid data.
 std::vector<Body> all_bodies() {
   RandomBody random(31);
   std::vector<Body> bodies;
@@ -70,7 +70,7 @@ class StepWide : public ::testing::TestWithParam<SchemePointer> {
  protected:
   const WideScheme& scheme() { return dynamic_cast<const WideScheme&>(*GetParam()); }
 
-  // Bodies in the lanes of the mask, rubbish in the others.
+  // Bodies in the lanes of the mask, garbage in the others.
   static WideBatch batch_of(const WideScheme& scheme, std::bitset<kLanes> mask, std::size_t first) {
     static const std::vector<Body> bodies = all_bodies();
     WideBatch batch(scheme);

@@ -1,4 +1,4 @@
-// One body of a WideScheme goes through the lanes and back.
+// A single body passes through the lanes of a WideScheme and back.
 #include "scheme_base/wide_scheme.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 using testing::RandomBody;
 using testing::same_bits;
 
-// Something that every input and every part of the state has a part in, for doubles or for wide numbers.
+// A formula that involves every input and every part of the state, for doubles and for wide numbers.
 template <class Input, class State>
 void change(const Input& input, State& state) {
   state.q_WB.coeffs() *= input.dt;
@@ -70,7 +70,7 @@ TEST(WideScheme, TurnsByTheExponentialUnlessItSaysOtherwise) {
     set_orientation(expected, exponential(body.input.dt * body.input.delta_omega_W) * body.state.q_WB);
     RotationState turned = body.state;
     Changing().turn(body.input.delta_omega_W, body.input.dt, turned);
-    // The angle, up to 10,000 rad, is rounded.
+    // Rounding of the angle, which is up to 10,000 rad.
     const double rounding = 3e-16 * (2.0 + std::abs(body.input.dt) * body.input.delta_omega_W.norm());
     EXPECT_LE((turned.q_WB.coeffs() - expected.q_WB.coeffs()).norm(), rounding);
     EXPECT_EQ(turned.R_WB, turned.q_WB.toRotationMatrix());

@@ -1,4 +1,4 @@
-// `exact` steps bodies eight at a time: a body's result does not depend on the batch it is in.
+// `exact` steps bodies in batches of eight: a body's result does not depend on its batch.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ const WideScheme& exact() {
   return dynamic_cast<const WideScheme&>(*find_scheme("exact"));
 }
 
-/// A body and what is done to it.
+/// A body and the actions on it.
 struct Body {
   std::string name;
   Vector3 inertia_B;
@@ -38,11 +38,11 @@ struct Body {
   Vector3 kick = Vector3::Zero();
   int kicked_every = 1;    // steps
   double swelling = 0.0;   // of the inertia, from the middle of the run on
-  double faster_dt = 0.0;  // every third step, in place of dt
-  int changed_every = 0;   // steps: the application changes its state
+  double faster_dt = 0.0;  // replaces dt in every third step
+  int changed_every = 0;   // steps between changes of the state by the application
   std::vector<double> memory = std::vector<double>(exact().memory_rows(), 0.0);
 
-  /// Changes the body between two steps.
+  /// Applies the application's changes between two steps.
   void change(int step) {
     if (swelling != 0.0 && 2 * step == kSteps) memory.assign(memory.size(), 0.0);
     if (changed_every == 0 || step % changed_every != 0) return;
@@ -58,7 +58,7 @@ struct Body {
   }
 };
 
-/// Bodies of every kind, so many of each that blocks of eight fill up in every way.
+/// Bodies of every kind, enough of each to fill batches in many ways.
 std::vector<Body> all_kinds() {
   RandomBody random(23);
   std::vector<Body> bodies;
@@ -70,7 +70,7 @@ std::vector<Body> all_kinds() {
     bodies.push_back(body);
     return bodies.back();
   };
-  // Slow enough for a step of 1/60 s to be short, whatever the random moments are.
+  // Slow enough for 1/60 s to be a short step whatever the random moments are.
   const auto add_slow = [&](const std::string& name) -> Body& {
     return add(name, Vector3(1, 2, 3) + 0.01 * random.inertia_B(), 3.0 * random.omega_W().normalized());
   };
@@ -110,7 +110,7 @@ std::vector<Body> all_kinds() {
   return bodies;
 }
 
-/// The states after each step, each body by itself.
+/// Returns the states after each step, with each body stepped separately.
 std::vector<std::vector<RotationState>> alone(std::vector<Body> bodies) {
   std::vector<std::vector<RotationState>> states(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -125,8 +125,8 @@ std::vector<std::vector<RotationState>> alone(std::vector<Body> bodies) {
   return states;
 }
 
-/// Steps up to eight bodies, bodies[chosen[0]] and so on, in lanes that begin at `first`. The lanes left over
-/// have another body and its memory, which must not matter.
+/// Steps up to eight bodies, bodies[chosen[0]] and so on, in lanes starting at `first`. The other lanes hold
+/// another body and its memory, which must not matter.
 void step_together(std::vector<Body>& bodies, const std::vector<std::size_t>& chosen, std::size_t first,
                    int step) {
   WideBatch batch(exact());
@@ -172,7 +172,7 @@ TEST(ExactBodies, MoveToTheLastBitAsEachAloneInAnyCompany) {
   }
 }
 
-// The memory is a shortcut: the same to rounding without it, but for the last bits.
+// The memory is a shortcut: results without it agree to rounding, but not bit for bit.
 TEST(ExactBodies, AreTheSameToRoundingWithoutTheirMemory) {
   const auto remembered = alone(all_kinds());
   std::vector<Body> bodies = all_kinds();

@@ -1,4 +1,4 @@
-// `exact` against the closed form in 50 digits.
+// Compares `exact` with the closed form in 50 digits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr double kDt = 1.0 / 60.0;
 constexpr int kTenSeconds = 600;
 const Quaternion kTilted = Quaternion(0.5, 0.1, -0.7, 0.5).normalized();
 
-/// A body under `exact`, and the truth.
+/// A body stepped by `exact`, and its exact motion.
 class FreeRun {
  public:
   FreeRun(const Vector3& inertia_B, const Quaternion& q_WB, const Vector3& omega_W, double dt = kDt)
@@ -43,10 +43,10 @@ class FreeRun {
   }
 
   double attitude_error() const { return truth_.attitude_error_after(state_.q_WB, steps_, dt_); }
-  double energy_error() const { return energy_error_; }      // the worst so far, relative
+  double energy_error() const { return energy_error_; }      // largest so far, relative
   double momentum_error() const { return momentum_error_; }  // of the vector L_W
 
-  /// Returns how far one rounding of the start moves the truth at the present time, rad.
+  /// Returns the present effect on the exact motion of one rounding of the start, rad.
   double conditioning() const {
     const Vector3 rounded_L_W = start_.L_W + 1.1e-16 * start_.L_W.norm() * Vector3(1, -1, 1);
     const FreeTop neighbour(inertia_B_, start_.q_WB, rounded_L_W);
@@ -81,14 +81,14 @@ TEST(Exact, HasNoErrorButRoundingAfterTenSeconds) {
   for (const auto& start : {tumble, fast_spinner}) {
     FreeRun run = start();
     run.step(kTenSeconds);
-    // measured 1.5e-14 and 2.5e-13 rad (of 55 and 2,000); 1.6e-15 and 1.1e-15; 0
+    // measured 1.5e-14 and 2.5e-13 rad (after turning by 55 and 2,000 rad); 1.6e-15 and 1.1e-15; 0
     EXPECT_LE(run.attitude_error(), 6e-13);
     EXPECT_LE(run.energy_error(), 3e-15);
     EXPECT_EQ(run.momentum_error(), 0.0);
   }
 }
 
-// Moments of 0.01 to 100 kg m^2, most of them of no real body, spins of up to 100 rad/s.
+// Moments of 0.01 to 100 kg m^2, most of which no real body has, and spins of up to 100 rad/s.
 TEST(Exact, HasNoErrorButRoundingForTwoHundredRandomBodies) {
   RandomBody random(7);
   std::vector<double> errors;
@@ -142,13 +142,13 @@ TEST(Exact, IsAtRoundingForNearlyEqualMoments) {
   }
 }
 
-// There the motion itself amplifies every rounding: the bound is what one rounding of the start makes of the
-// truth.
+// Near the separatrix the motion itself amplifies rounding: the bound is the effect of one rounding of the
+// start on the exact motion.
 TEST(Exact, IsAsGoodAsItsStartNearTheSeparatrix) {
   for (double offset = 1e-4; offset > 1e-16; offset *= 0.1) {
     for (const double side : {1.0, -1.0}) {
       SCOPED_TRACE(side * offset);
-      // On it y3^2 (I3 - I2)/I3 = y1^2 (I2 - I1)/I1, for these moments y3^2 = 3 y1^2.
+      // On the separatrix y3^2 (I3 - I2)/I3 = y1^2 (I2 - I1)/I1, for these moments y3^2 = 3 y1^2.
       const Vector3 omega_W(4.0, 2.8, 4.0 * std::sqrt(3.0) * (1.0 + side * offset) / 3.0);
       FreeRun run(Vector3(1, 2, 3), Quaternion::Identity(), omega_W);
       run.step(kTenSeconds);
@@ -170,8 +170,8 @@ TEST(Exact, KeepsASpinAboutAPrincipalAxisEvenTheMiddleOne) {
   }
 }
 
-// A step of any length is one application of the formulas: up to a turn of 1e8 rad, through every way in
-// which long steps are taken apart.
+// A step of any length applies the formulas once. Covers turns of up to 1e8 rad, and every way of splitting
+// long steps.
 TEST(Exact, TakesAStepOfAnyLength) {
   RandomBody random(11);
   for (int i = 0; i < 2000; ++i) {
@@ -185,7 +185,7 @@ TEST(Exact, TakesAStepOfAnyLength) {
   }
 }
 
-// Backwards in time, by short steps and long ones.
+// With negative dt, in short and long steps.
 TEST(Exact, GoesBackTheWayItCame) {
   for (const double speed : {1.0, 30.0}) {
     const RotationState start = state_from(Vector3(1, 2, 3), kTilted, speed * Vector3(3, 2, 4));
@@ -210,7 +210,7 @@ TEST(Exact, IsTheSameAtAnySpeed) {
   }
 }
 
-// The memory is a shortcut: without it every step is set up anew, with the same result up to rounding.
+// The memory is a shortcut: without it every step repeats the set-up, with the same result up to rounding.
 TEST(Exact, NeedsNoMemory) {
   const SchemePointer scheme = find_scheme("exact");
   const Vector3 inertia_B(1, 2, 3);
@@ -221,8 +221,8 @@ TEST(Exact, NeedsNoMemory) {
   EXPECT_LE(truth.attitude_error_after(state.q_WB, kTenSeconds, kDt), 2e-13);
 }
 
-// Changes between two steps: `exact` finds them itself, except one of the inertia, for which the memory is
-// emptied.
+// `exact` detects changes between two steps, except changes of the inertia, for which the caller clears the
+// memory.
 TEST(Exact, NoticesWhatChangedBetweenTwoSteps) {
   testing::RememberedBody body(*find_scheme("exact"));
   Vector3 inertia_B(1, 2, 3);
@@ -255,8 +255,8 @@ TEST(Exact, NoticesWhatChangedBetweenTwoSteps) {
   expect_exact("a start from rest");
 }
 
-// Kick, then drift: short steps and long ones, freely before the kick or not, bodies whose L moves and
-// others.
+// Kick, then drift: in short and long steps, with and without free steps before the kick, for bodies whose
+// L_B moves and others.
 TEST(Exact, DriftsFromTheMomentumThatAKickLeaves) {
   const Vector3 kick_W(0.3, -0.2, 0.5);
   for (const Vector3& inertia_B : {Vector3(1, 2, 3), Vector3(3, 1, 2), Vector3(2, 2, 2), Vector3(2, 2, 3)}) {
@@ -278,7 +278,7 @@ TEST(Exact, DriftsFromTheMomentumThatAKickLeaves) {
   }
 }
 
-// To the last bit, with an empty memory or one of an earlier motion, whether L is 0 or next to it.
+// Bit for bit, with an empty memory or one of an earlier motion, for L = 0 or nearly 0.
 TEST(Exact, LeavesABodyAtRestAlone) {
   const Vector3 inertia_B(1, 2, 3);
   RandomBody random(13);

@@ -1,5 +1,5 @@
-// The properties special to each scheme of the gallery: orders over several motions, the discrete equations
-// that it is said to solve, reversibility, and the failure that it declares.
+// Properties specific to each scheme of the gallery: its order for several motions, the discrete equations
+// that it solves, reversibility, and its declared failures.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,8 +35,8 @@ double energy_error(const RotationState& state, const RotationState& start) {
   return std::abs(state.energy() / start.energy() - 1.0);
 }
 
-// Bodies that there can be, needles and plates among them, a third of them about to flip. Their second
-// moments are up to `decades` powers of 10 apart.
+// Physically possible bodies, including needles and plates, a third of them about to flip. Their second
+// moments differ by up to `decades` powers of 10.
 class PhysicalBodies {
  public:
   explicit PhysicalBodies(double decades = 3.0) : decades_(decades) {}
@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Registry, GalleryScheme,
                                   std::get<1>(instance.param).name;
                          });
 
-// To the last bit, in any orientation: normalising a unit quaternion again may change it.
+// Bit for bit, in any orientation: normalising a unit quaternion again could change it.
 TEST(Gallery, LeavesABodyAtRestAsItIs) {
   testing::RandomBody random(3);
   for (const char* scheme : kGallery) {
@@ -148,7 +148,7 @@ TEST(Gallery, KeepsEnergyThroughManyLargeStepsWhereItSolvesAnEquation) {
   }
 }
 
-// Momentum in body axes and turn of one step, from the result alone.
+// Body-frame momentum and turn of one step, computed from the result alone.
 struct Turn {
   Vector3 start_L_B;
   Vector3 end_L_B;
@@ -163,8 +163,8 @@ Turn turn_of(const char* scheme, const Vector3& inertia_B, const Vector3& omega_
   return {start.R_WB.transpose() * start.L_W, end.R_WB.transpose() * end.L_W, rho_B};
 }
 
-// I_1 e0 e1 - (I_2 - I_3) e2 e3 - (dt/2) L_1, and cyclically, relative to the largest moment: e is known to
-// 1e-16.
+// Returns I_1 e0 e1 - (I_2 - I_3) e2 e3 - (dt/2) L_1 and its cyclic permutations, relative to the largest
+// moment: e is known to 1e-16.
 double moser_veselov_residual(const Vector3& inertia_B, const Turn& turn, double dt) {
   Vector3 residual;
   for (int i = 0; i < 3; ++i) {
@@ -193,7 +193,7 @@ TEST(ImplicitMidpoint, SolvesEulersEquationsAtTheMidpointAndTurnsByTheirCayleyMa
     const Vector3 tangent_B = turn.rho_B.vec() / turn.rho_B.w();
     turn_error = std::max(turn_error, (tangent_B - 0.5 * dt * middle_omega_B).norm());
   }
-  // The needles' moments, up to 1000 apart, magnify rounding.
+  // The needles' moments, up to 1000 apart, amplify rounding.
   EXPECT_LE(residual, 1e-13);    // measured 3.4e-14
   EXPECT_LE(turn_error, 6e-14);  // measured 1.7e-14
 }
@@ -229,7 +229,7 @@ TEST(MoserVeselov4, SolvesTheDiscreteEquationForThePreprocessedMoments) {
   EXPECT_LE(residual, 1e-14);  // measured 3.7e-15
 }
 
-// The figures of a second of I = (1, 2, 3), omega_B = (3, 2, 4).
+// Errors after one second with I = (1, 2, 3), omega_B = (3, 2, 4).
 TEST(MoserVeselov4, DividesItsErrorBy16FromASixtiethOn) {
   const RotationState start = start_of({1, 2, 3}, {3, 2, 4});
   const oracle::FreeTop truth({1, 2, 3}, start.q_WB, start.L_W);
@@ -244,9 +244,9 @@ TEST(MoserVeselov4, DividesItsErrorBy16FromASixtiethOn) {
   EXPECT_NEAR(error(480), 5.09e-10, 0.01e-10);
 }
 
-// The failures they declare.
+// Declared failures.
 
-// The angle by which a ball turns in a step.
+// Returns the angle by which a ball turns in a step.
 double turn_of_a_ball(const char* scheme, double turn) {
   const Vector3 inertia_B(2, 2, 2);
   const RotationState start = start_of(inertia_B, {0, 0, turn});
@@ -273,7 +273,7 @@ TEST(RungeKutta4, LosesEnergyUntilAPlainSpinAboutTheLargestMomentIsLeft) {
   const auto loss = [&](double turn, int steps) {
     return 1.0 - end_of(turn, steps).energy() / start.energy();
   };
-  // Half the step loses 32 times less in the same time.
+  // At half the step the loss in the same time is 32 times smaller.
   EXPECT_NEAR(loss(0.2, 1000) / 1000, std::pow(0.2, 6) / 200, 1e-7);  // measured 3.4e-7
   EXPECT_NEAR(loss(0.2, 1000) / loss(0.1, 2000), 32.0, 1.0);          // measured 32.0
   const RotationState end = end_of(0.6, 20000);
@@ -282,7 +282,7 @@ TEST(RungeKutta4, LosesEnergyUntilAPlainSpinAboutTheLargestMomentIsLeft) {
   EXPECT_GT(start.energy() / least_energy, 1.1);         // measured 1.15
 }
 
-// The stages turn L without stretching it: a ball gets the first five terms of the exponential.
+// The stages rotate L without stretching it: a ball turns by the first five terms of the exponential series.
 TEST(RungeKutta4, TurnsABallByTheSeriesOfTheExponential) {
   const double x = 0.5;
   const double turn = 2.0 * std::atan2(x / 2 - std::pow(x, 3) / 48, 1 - x * x / 8 + std::pow(x, 4) / 384);
@@ -310,7 +310,7 @@ TEST(AxisSplitting, SwingsInEnergyAndWandersInLargeSteps) {
   EXPECT_GT(swing(2.5, 10000), 0.5);                            // measured 1.597
 }
 
-// There Newton's method stalls at rounding.
+// For such bodies Newton's method stalls at rounding.
 TEST(Gallery, SolvesItsEquationsForTheSlenderestBodiesToo) {
   for (const char* scheme : {"implicit_midpoint", "moser_veselov", "moser_veselov_4"}) {
     for (const double turn : {1e-3, 0.1, 0.9})
@@ -340,7 +340,7 @@ TEST(MoserVeselov4, TurnsLessAgainPastItsLimitAndThenHasNoSolution) {
   EXPECT_NEAR(failures_of_1000("moser_veselov_4", 3.0), 831, 50);  // measured 831
 }
 
-// A step that cannot be made ends, and shows it.
+// A step without a solution ends with a result that is not finite.
 TEST(Gallery, EndsWhateverItIsGiven) {
   for (const char* scheme : kGallery) {
     SCOPED_TRACE(scheme);

@@ -1,4 +1,4 @@
-// The handout's schemes past the limits that they declare.
+// The handout's schemes beyond their declared limits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using testing::state_from;
 
-// The largest E/E0 - 1 over 1000 steps of a spin beside the middle axis.
+// Returns the largest E/E0 - 1 over 1000 steps of a spin near the middle axis.
 double largest_gain(const Vector3& inertia_B, double omega_dt) {
   const SchemePointer scheme = find_scheme("implicit_gyroscopic");
   const double dt = 1.0 / 60.0;

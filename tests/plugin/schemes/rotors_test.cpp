@@ -1,4 +1,4 @@
-// Bodies with rotors inside: gyrostats.
+// Gyrostats: bodies with rotors inside.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -44,8 +44,8 @@ std::vector<SchemePointer> schemes_that_take_rotors() {
   return result;
 }
 
-// Random bodies, each fourth at 40 rad/s, with rotors from next to nothing to a hundred times their own momentum.
-// Returns the largest attitude error after 10 s.
+// Steps random bodies, every fourth at 40 rad/s, with rotors from almost nothing to a hundred times the
+// body's own momentum. Returns the largest attitude error after 10 s.
 double worst_attitude_error(std::size_t count) {
   std::mt19937 generator(3);
   std::normal_distribution<double> normal;
@@ -85,13 +85,14 @@ TEST(Rotors, ExactFollowsRandomGyrostats) {
   EXPECT_LE(worst_attitude_error(12), 1e-11);  // measured 1.5e-12
 }
 
-// Five minutes, most of them the oracle's: scripts/nightly runs it.
+// Takes five minutes, mostly in the oracle: run by scripts/gyrostats.
 TEST(Rotors, DISABLED_ExactFollowsTwoHundredRandomGyrostats) {
-  // measured 2.9e-11, of a body at 40 rad/s that makes any change of its start 500 times as large in this time
+  // measured 2.9e-11, for a body at 40 rad/s that amplifies changes of its start by 500 in this time
   EXPECT_LE(worst_attitude_error(200), 1e-10);
 }
 
-// The oracle itself: a symmetric body with a rotor along its axis turns about L at |L|/I, and about its axis besides.
+// Tests the oracle: a symmetric body with a rotor along its axis turns about L at |L|/I and also about its
+// own axis.
 TEST(Rotors, OracleAgreesWithTheClosedFormOfASymmetricGyrostat) {
   const Vector3 inertia_B(2.0, 2.0, 5.0);
   const RotationState start =
@@ -103,7 +104,7 @@ TEST(Rotors, OracleAgreesWithTheClosedFormOfASymmetricGyrostat) {
   const double about_axis = (L_z - start.rotor_momentum_B.z()) / inertia_B.z() - L_z / inertia_B.x();
   const Quaternion expected = exponential(start.L_W * (t / inertia_B.x())) * start.q_WB *
                               exponential(Vector3(0.0, 0.0, about_axis * t));
-  EXPECT_LE(oracle.attitude_error(expected), 1e-13);  // measured 2.5e-15, of the closed form in double
+  EXPECT_LE(oracle.attitude_error(expected), 1e-13);  // measured 2.5e-15, of the closed form
   EXPECT_LE(oracle.drift(), 1e-35);
 }
 
@@ -130,7 +131,7 @@ TEST_P(SchemesWithRotors, ConvergeWithTheOrderTheyDeclare) {
   EXPECT_NEAR(std::log2(error(steps) / error(2 * steps)), *order, 0.02);
 }
 
-// The energy and the momentum that a scheme declares to keep, it keeps with rotors too.
+// Schemes keep the energy and momentum that they declare exact with rotors too.
 TEST_P(SchemesWithRotors, KeepWhatTheyDeclareExact) {
   const Vector3 inertia_B(1.0, 2.0, 3.0);
   const RotationState start = gyrostat(inertia_B, Quaternion::Identity(), {3.0, 2.0, 4.0}, {2.0, -3.0, 5.0});
@@ -142,7 +143,7 @@ TEST_P(SchemesWithRotors, KeepWhatTheyDeclareExact) {
     EXPECT_NEAR(state.energy() / start.energy(), 1.0, 2e-14);
   }
   if (declared.energy == Conservation::lost) {
-    EXPECT_GE(std::abs(state.energy() / start.energy() - 1.0), 1e-11);  // measured 7e-11, of rk4
+    EXPECT_GE(std::abs(state.energy() / start.energy() - 1.0), 1e-11);  // measured 7e-11, for rk4
   }
   if (declared.angular_momentum == Conservation::exact) {
     EXPECT_EQ(state.L_W, start.L_W);
@@ -180,7 +181,7 @@ TEST(Rotors, ExactKeepsEnergyAndMomentumForAMillionSteps) {
   EXPECT_EQ(state.L_W, start.L_W);
 }
 
-// A lane's result does not depend on who has a rotor beside it, and one of momentum 0 is none.
+// A lane's result does not depend on rotors in other lanes, and a rotor of momentum 0 has no effect.
 TEST(Rotors, InOneLaneLeaveTheOthersAlone) {
   for (const SchemePointer& scheme : schemes_that_take_rotors()) {
     const auto* const wide = dynamic_cast<const WideScheme*>(scheme.get());

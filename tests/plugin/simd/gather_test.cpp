@@ -1,4 +1,4 @@
-// Rows of numbers, one for each body, are gathered into wide numbers and scattered back.
+// Gathers rows of numbers, one row per body, into wide numbers and scatters them back.
 #include "simd/gather.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 template <class Number>
 class WideRowsOf : public ::testing::Test {
  protected:
-  // Two rows of four for each lane, in no order, with a number between them that must keep its value.
+  // Two rows of four per lane, in shuffled order, followed by a number that must keep its value.
   static constexpr std::size_t kStride = 9;
 
   WideRowsOf() {
@@ -54,7 +54,7 @@ TYPED_TEST(WideRowsOf, AreLoaded) {
   }
 }
 
-// `expected(i, number)` is what becomes of the number with index i of a lane's nine.
+// `expected(i, number)` is the expected new value of number i of a lane's nine.
 template <class Number, class Expected>
 void expect_numbers(const std::array<Number, 9 * kLanes>& found, const std::array<Number, 9 * kLanes>& before,
                     Expected expected) {

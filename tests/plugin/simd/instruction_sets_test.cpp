@@ -1,5 +1,5 @@
-// Code for each instruction set gives the same bits: on formulas with sums of products, which a processor
-// that has fused multiply-add would round otherwise if it were let to.
+// Code for each instruction set gives the same bits. The formulas contain sums of products, which fused
+// multiply-add, if allowed, would round differently.
 #include "simd/instruction_sets.h"
 
 #include <gtest/gtest.h>

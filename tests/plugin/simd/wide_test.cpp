@@ -1,4 +1,4 @@
-// Wide do in each lane what double does, to the last bit, whatever they are made of.
+// Operations on Wide give in each lane the bits of the same operation on double, for every kind of registers.
 #include "simd/wide.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 using testing::same_bits;
 
-// Zeros, subnormals, the ends of the range, infinities, NaN, and numbers of all sizes.
+// Zeros, subnormals, the ends of the range, infinities, NaN, and numbers of all magnitudes.
 std::vector<double> samples() {
   using Limits = std::numeric_limits<double>;
   std::vector<double> result = {
@@ -34,7 +34,7 @@ class WideOf : public ::testing::Test {
  protected:
   using Some = BasicWide<Registers>;
 
-  // Another sample in each lane, each pair of samples in some lane of some pair of Wide.
+  // A different sample in each lane; every pair of samples occurs in some lane of some pair of Wide.
   static Some some_from(std::size_t first, std::size_t stride) {
     static const std::vector<double> values = samples();
     Some result;
@@ -52,7 +52,7 @@ class WideOf : public ::testing::Test {
     }
   }
 
-  // `of_lanes(a, b)[lane]` against `of_doubles(a[lane], b[lane])`.
+  // Compares `of_lanes(a, b)[lane]` with `of_doubles(a[lane], b[lane])`.
   template <class OfLanes, class OfDoubles>
   static void expect_same(OfLanes of_lanes, OfDoubles of_doubles) {
     for_pairs([&](const Some& a, const Some& b) {
@@ -63,7 +63,7 @@ class WideOf : public ::testing::Test {
     });
   }
 
-  // One formula for both.
+  // The same formula for both.
   template <class Formula>
   static void expect_same(Formula formula) {
     expect_same(formula, formula);
@@ -169,13 +169,13 @@ TYPED_TEST(WideOf, AreConvertedAsNumbersAre) {
   });
 }
 
-// Else code for a wider instruction set than the caller's would move them as if they were.
+// Code for a wider instruction set than the caller's assumes this alignment.
 TYPED_TEST(WideOf, AreAlignedForTheWidestInstructionSet) {
   EXPECT_EQ(alignof(BasicWide<TypeParam>), kLanes * sizeof(double));
   EXPECT_EQ(alignof(Eigen::Matrix<BasicWide<TypeParam>, 3, 1>), kLanes * sizeof(double));
 }
 
-// Eigen sums doubles in another order: here a number is eight plain lanes of it.
+// Eigen sums doubles in a different order, so the reference for a number is one lane of plain Wide.
 TYPED_TEST(WideOf, AreAScalarOfEigens) {
   const auto formula = [](const auto& a, const auto& b) {
     using Real = std::decay_t<decltype(a)>;
