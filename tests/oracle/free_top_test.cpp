@@ -119,7 +119,7 @@ TEST(FreeTop, MovesAsEulersEquationsSayWhateverTheBody) {
   }
 }
 
-TEST_P(EachFreeBody, StartsWhereItIsPut) {
+TEST_P(EachFreeBody, StartsAtTheGivenOrientation) {
   const FreeBody& body = GetParam();
   EXPECT_LT(top_of(body).attitude_error(body.q_WB, 0.0), 4e-50);           // measured 7.9e-51
   EXPECT_LT(top_of(body).attitude_error_after(body.q_WB, 0, 1.0), 1e-18);  // measured 2.0e-19
@@ -164,7 +164,7 @@ TEST_P(EachFreeBody, IsQuicklyComparedWithinARoundingOfTheExactComparison) {
 
 // Restarting from the state at t1 and advancing by t2 gives the state at t1 + t2, up to the growth of the
 // rounding error at t1.
-TEST(FreeTop, GoesOnFromWhereItIs) {
+TEST(FreeTop, CanBeRestartedFromItsState) {
   for (const FreeBody& body : kBodies) {
     const double t1 = 0.375 * body.duration, t2 = 0.625 * body.duration;
     const FreeTop top = top_of(body);
@@ -223,7 +223,7 @@ TEST(FreeTop, SeesAnAngleFarBelowTheRoundingOfADouble) {
   EXPECT_NEAR(top.attitude_error(Quaternion(0, 1, 0, 0), 0.0), std::acos(-1.0), 1e-15);  // measured 0
 }
 
-TEST(FreeTop, SaysWhatItCannotBePutOn) {
+TEST(FreeTop, RejectsInvalidArguments) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(FreeTop({1, 0, 3}, kNoTurn, {1, 2, 3}), std::invalid_argument);
   EXPECT_THROW(FreeTop({1, -2, 3}, kNoTurn, {1, 2, 3}), std::invalid_argument);

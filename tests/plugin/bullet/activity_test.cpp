@@ -38,10 +38,10 @@ struct Stage {
 const btVector3 kDrowsy = vector(0.3, 0.5, -0.4);
 
 template <class Way>
-class Activity : public ::testing::Test {};
-TYPED_TEST_SUITE(Activity, BothWays, WayName);
+class InactiveBody : public ::testing::Test {};
+TYPED_TEST_SUITE(InactiveBody, BothWays, WayName);
 
-TYPED_TEST(Activity, OfASleepingBodyIsNone) {
+TYPED_TEST(InactiveBody, StaysAsItIsWhileAsleep) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
     Stage<TypeParam> stage(scheme, kDrowsy);
@@ -58,7 +58,7 @@ TYPED_TEST(Activity, OfASleepingBodyIsNone) {
 }
 
 // Checks the number of steps too: Bullet's own update of a body at rest may change no digit.
-TYPED_TEST(Activity, OfABodyAsleepFromTheStartIsNone) {
+TYPED_TEST(InactiveBody, TakesNoStepsIfAsleepFromTheStart) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
     TypeParam scene;
@@ -70,7 +70,7 @@ TYPED_TEST(Activity, OfABodyAsleepFromTheStartIsNone) {
   }
 }
 
-TYPED_TEST(Activity, OfABodyThatWakesStartsFromRestWhereItStopped) {
+TYPED_TEST(InactiveBody, StartsFromRestWhereItStoppedWhenItWakes) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
     Stage<TypeParam> stage(scheme, kDrowsy);
@@ -85,7 +85,7 @@ TYPED_TEST(Activity, OfABodyThatWakesStartsFromRestWhereItStopped) {
 }
 
 // A body woken by a torque moves like one that has always been at rest there.
-TYPED_TEST(Activity, OfABodyWokenByATorqueIsThatOfABodyAtRestThere) {
+TYPED_TEST(InactiveBody, WokenByATorqueMovesLikeABodyAtRestThere) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     // A body that has always been at rest is not swollen.
     if (scheme->description().rotation == Conservation::lost) continue;
@@ -110,7 +110,7 @@ TYPED_TEST(Activity, OfABodyWokenByATorqueIsThatOfABodyAtRestThere) {
   }
 }
 
-TYPED_TEST(Activity, OfABodySwitchedOffIsNone) {
+TYPED_TEST(InactiveBody, StaysAsItIsWhileSwitchedOff) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
     Stage<TypeParam> stage(scheme, btVector3(3, 2, 4));
@@ -137,7 +137,7 @@ btVector3 velocity_after_being_switched_off(Way& scene, btRigidBody& body) {
   return body.getAngularVelocity();
 }
 
-TYPED_TEST(Activity, OfABodyThatBulletSwitchesOffInTheStepIsBullets) {
+TYPED_TEST(InactiveBody, SwitchedOffByBulletInTheStepIsLeftToBullet) {
   Scene<> plain;
   btRigidBody& of_bullet = plain.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4), kTilted);
   const btVector3 expected_W = velocity_after_being_switched_off(plain, of_bullet);
@@ -149,7 +149,7 @@ TYPED_TEST(Activity, OfABodyThatBulletSwitchesOffInTheStepIsBullets) {
   }
 }
 
-TYPED_TEST(Activity, OfStaticAndKinematicBodiesIsTheApplications) {
+TYPED_TEST(InactiveBody, StaticOrKinematicIsLeftToTheApplication) {
   TypeParam scene;
   btRigidBody& fixed = scene.add_floor();
   const btTransform pose(btQuaternion(btVector3(0, 1, 0), btScalar(0.3)), btVector3(0, 0, 20));
@@ -165,7 +165,7 @@ TYPED_TEST(Activity, OfStaticAndKinematicBodiesIsTheApplications) {
 }
 
 // The application moves the body, then releases it with the velocity that Bullet derived from its path.
-TYPED_TEST(Activity, OfABodyLetGoAfterItWasKinematicGoesOnAsItWasLed) {
+TYPED_TEST(InactiveBody, ReleasedAfterBeingKinematicContinuesItsMotion) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
     Stage<TypeParam> stage(scheme, btVector3(3, 2, 4));

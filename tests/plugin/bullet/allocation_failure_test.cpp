@@ -414,7 +414,7 @@ void remove_in_the_solve(const char* scheme, const btVector3& angular_factor) {
   EXPECT_EQ(refused, 1u) << scheme;
 }
 
-TEST(AllocationFailureInTheSolve, LosesWhatTheSolverWasGivenButNoBody) {
+TEST(AllocationFailureInTheSolve, LosesTheGyroscopicTermButNoBody) {
   remove_in_the_solve("exact", btVector3(1, 1, 1));
   remove_in_the_solve("implicit_gyroscopic", btVector3(1, 1, 1));
   remove_in_the_solve("exact", btVector3(1, 1, 0));

@@ -150,7 +150,7 @@ TEST(ApplicationChangesUnderAPlugin, GiveTheBitsOfARotationWorld) {
   }
 }
 
-TYPED_TEST(ApplicationChanges, ThatNobodyMadeLeaveTheLibrarysDoubleState) {
+TYPED_TEST(ApplicationChanges, AreNotSeenInTheRoundedPose) {
   const SchemePointer scheme = find_scheme("quaternion");
   TypeParam scene;
   TypeParam read_back_scene;

@@ -230,7 +230,7 @@ class UntouchedBodies : public ::testing::Test {
 
 TYPED_TEST_SUITE(UntouchedBodies, Ways, WayName);
 
-TYPED_TEST(UntouchedBodies, AreSteppedAsEachAlone) {
+TYPED_TEST(UntouchedBodies, GetTheSameBitsAsEachAlone) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     const std::string name(scheme->description().name);
     this->start(name);
@@ -241,7 +241,7 @@ TYPED_TEST(UntouchedBodies, AreSteppedAsEachAlone) {
   }
 }
 
-TYPED_TEST(UntouchedBodies, AreSteppedAsEachAloneWhateverAnApplicationDoes) {
+TYPED_TEST(UntouchedBodies, GetTheSameBitsAsEachAloneWhateverTheApplicationDoes) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     const std::string name(scheme->description().name);
     this->start(name);

@@ -181,7 +181,7 @@ TYPED_TEST(ContactEnergy, OfABodyInsideATriggerIsThatOfAFreeBody) {
 }
 
 // The application moves a platform, which carries the box.
-TYPED_TEST(ContactEnergy, OfABoxOnATurningPlatformIsThePlatforms) {
+TYPED_TEST(ContactEnergy, OfABoxOnATurningPlatformFollowsThePlatform) {
   auto& scene = this->scene_;
   set_gravity(scene);
   btRigidBody& platform =

@@ -104,7 +104,7 @@ TYPED_TEST(ExactMotion, KeepsEnergyAndMomentumForAMillionSteps) {
   EXPECT_EQ(state.L_W, flight.start.L_W);
 }
 
-TYPED_TEST(ExactMotion, IsWhatAWorldsBodiesGetUnlessToldOtherwise) {
+TYPED_TEST(ExactMotion, IsTheDefault) {
   btRigidBody& body = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   EXPECT_EQ(this->scene_.rotation().rotation_of(body).scheme, "exact");
 }

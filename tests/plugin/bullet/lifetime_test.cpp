@@ -77,7 +77,7 @@ TEST_F(ReusedAddress, OfAReleasedBodyIsManagedAgain) {
   scene.world().removeRigidBody(&new_body);
 }
 
-TEST_F(ReusedAddress, IsAnsweredForBeforeTheFirstStep) {
+TEST_F(ReusedAddress, HasTheNewBodysRotationBeforeTheFirstStep) {
   Scene<> scene;
   RotationPlugin plugin(scene.world());
   btRigidBody& old_body = make();
@@ -116,7 +116,7 @@ TEST_F(ReusedAddress, LeavesNoHoleThatIsStepped) {
 }
 
 // The handler deletes a second body whose incident has not been reported yet.
-TEST(Incidents, AreNotToldOfBodiesThatAnEarlierOneTookOut) {
+TEST(Incidents, AreNotReportedForBodiesThatTheHandlerRemovedBefore) {
   Scene<RotationWorld<btDiscreteDynamicsWorld>> scene;
   btRigidBody& first = scene.add_free(btVector3(1, 2, 3), btVector3(1, 2, 3));
   btRigidBody& second = scene.add_free(btVector3(1, 2, 3), btVector3(1, 2, 3));

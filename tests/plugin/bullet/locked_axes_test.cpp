@@ -109,7 +109,7 @@ TYPED_TEST(LockedAxes, LeaveAPlanarBodyItsSpin) {
 }
 
 // Common in games confined to a plane. The solver's equations for the locked axes are then singular.
-TYPED_TEST(LockedAxes, MayBeLockedByTheFactorAndTheInertiaAlike) {
+TYPED_TEST(LockedAxes, MayBeLockedByBothFactorAndInertia) {
   for (const SchemePointer& scheme : built_in_schemes()) {
     SCOPED_TRACE(scheme->description().name);
     for (const btQuaternion& q_WB : {btQuaternion::getIdentity(), kTilted}) {

@@ -107,7 +107,7 @@ TYPED_TEST(MultibodyChoice, LastsWhileItIsTakenOutBetweenTwoSteps) {
   EXPECT_EQ(this->scheme_of(multibody), "exact");
 }
 
-TYPED_TEST(MultibodyChoice, ReleasedItIsBulletsToTheBit) {
+TYPED_TEST(MultibodyChoice, ReleasedGivesBulletsBits) {
   MultibodyScene<> plain;
   btMultiBody& expected = plain.add_free_multibody(kInertia, kOmega);
   btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
@@ -121,7 +121,7 @@ TYPED_TEST(MultibodyChoice, ReleasedItIsBulletsToTheBit) {
   EXPECT_TRUE(this->rotation().manages(managed));
 }
 
-TYPED_TEST(MultibodyChoice, RemovedAndDeletedItIsNotLookedAt) {
+TYPED_TEST(MultibodyChoice, DoesNotAccessADeletedMultibody) {
   btMultiBody& first = this->scene_.add_free_multibody(kInertia, kOmega);
   btMultiBody& second = this->scene_.add_free_multibody(kInertia, kOmega);
   this->scene_.step(kDt, 3);
@@ -131,7 +131,7 @@ TYPED_TEST(MultibodyChoice, RemovedAndDeletedItIsNotLookedAt) {
   EXPECT_EQ(this->rotation().rotation_of(second).steps, 6U);
 }
 
-TYPED_TEST(MultibodyChoice, AddedTwiceItIsOneBody) {
+TYPED_TEST(MultibodyChoice, CountsAMultibodyAddedTwiceOnce) {
   btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
   this->scene_.world().addMultiBody(&multibody);
   this->scene_.step(kDt, 2);
@@ -163,7 +163,7 @@ TYPED_TEST(MultibodyChoice, IsNotForLinksThatMoveOrAFixedBase) {
 
 // With global velocities Bullet moves even fixed links by their velocities of the last step, so the library
 // does not manage the multibody.
-TYPED_TEST(MultibodyChoice, IsAskedForAsItIsNow) {
+TYPED_TEST(MultibodyChoice, FollowsTheUseOfGlobalVelocities) {
   const std::vector<FixedPart> parts = {
       {btScalar(0.5), btVector3(1, 1, 1), btTransform(btQuaternion::getIdentity(), btVector3(1, 0, 0))}};
   btMultiBody& multibody =
@@ -176,7 +176,7 @@ TYPED_TEST(MultibodyChoice, IsAskedForAsItIsNow) {
   EXPECT_TRUE(this->rotation().manages(multibody));
 }
 
-TYPED_TEST(MultibodyChoice, KinematicItIsTheApplications) {
+TYPED_TEST(MultibodyChoice, LeavesAKinematicOneToTheApplication) {
   btMultiBody& multibody = this->scene_.add_multibody_box(btVector3(1, 1, 1), 1, btTransform::getIdentity());
   multibody.setBaseOmega(kOmega);
   multibody.setBaseDynamicType(btCollisionObject::CF_KINEMATIC_OBJECT);
@@ -329,7 +329,7 @@ TYPED_TEST(MultibodyChoice, ChangesTogetherWithRigidBodiesOrNotAtAll) {
   EXPECT_GE(granted, 4U);  // one batch and one family for each kind
 }
 
-TYPED_TEST(MultibodyChoice, IsBulletsWhileThereIsNoMemory) {
+TYPED_TEST(MultibodyChoice, IsLeftToBulletWithoutMemory) {
   btMultiBody& multibody = this->scene_.add_free_multibody(kInertia, kOmega);
   {
     const MemoryShortage shortage(0, MemoryReturns::when_told);

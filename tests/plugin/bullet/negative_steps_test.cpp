@@ -69,7 +69,7 @@ TYPED_TEST(NegativeSteps, LeaveAFullyDampedBodyFinite) {
 }
 
 // Steps of zero length change nothing.
-TYPED_TEST(NegativeSteps, OrNoneAtAllChangeNothing) {
+TYPED_TEST(NegativeSteps, OfZeroLengthChangeNothing) {
   btRigidBody& body = this->scene_.add_free(btVector3(1, 2, 3), btVector3(3, 2, 4));
   this->step(kDt, 10);
   const btTransform pose = body.getWorldTransform();

@@ -249,7 +249,7 @@ TYPED_TEST(Overflow, OfThePositionLeavesTheBodyWhereItWas) {
 }
 
 // The application writes a basis that is not a rotation; the reported quaternion still has unit length.
-TYPED_TEST(Overflow, OfAnOrientationThatIsNoRotationIsSomeRotation) {
+TYPED_TEST(Overflow, OfTheOrientationGivesAUnitQuaternion) {
   TypeParam scene;
   btRigidBody& body = scene.add_free(btVector3(1, 2, 3), btVector3(1, 2, 3));
   scene.step(kDt);

@@ -174,7 +174,7 @@ TYPED_TEST(HostileSnapshot, WithANumberThatIsNotFiniteIsRefused) {
   this->way.rotation().restore(*this->box, this->of_body);
 }
 
-TYPED_TEST(HostileSnapshot, OfWhatIsNotFiniteIsNotMade) {
+TYPED_TEST(HostileSnapshot, OfANonFiniteBodyIsRefused) {
   this->box->setLinearVelocity(btVector3(std::numeric_limits<btScalar>::quiet_NaN(), 0, 0));
   EXPECT_THROW(this->way.rotation().save(*this->box), std::invalid_argument);
   EXPECT_THROW(this->way.rotation().save_world(), std::invalid_argument);

@@ -108,7 +108,7 @@ TYPED_TEST(WorldSnapshot, IsSmall) {
 }
 
 // The first step after restoring works as in the world that was restored into.
-TEST(WorldSnapshotOfOneWayIn, IsRestoredInTheOther) {
+TEST(WorldSnapshotOfARotationWorld, IsRestoredUnderAPluginAndBack) {
   const auto build = [](auto& way) {
     add_chain(way, 5);
     add_gimbal(way, 50);

@@ -84,7 +84,7 @@ TYPED_TEST(BothWaysIn, GiveTheSameBitsInFreeFlightForEveryScheme) {
   }
 }
 
-TYPED_TEST(BothWaysIn, TakenAwayFromEveryBodyLeaveBulletsBits) {
+TYPED_TEST(BothWaysIn, GiveBulletsBitsIfEveryBodyIsReleased) {
   Scene<TypeParam> plain;
   add_pile(plain);
 

@@ -151,7 +151,7 @@ TYPED_TEST(WorldLeftAsFound, AfterManyRoundsOfDetachingAndAttaching) {
 }
 
 // Changes that the application makes while a plugin is attached are kept.
-TYPED_TEST(WorldLeftAsFound, WithWhatTheApplicationChangedMeanwhile) {
+TYPED_TEST(WorldLeftAsFound, ExceptForTheApplicationsOwnChanges) {
   RotationPlugin plugin(this->world());
   this->world().getSimulationIslandManager()->setSplitIslands(false);
   this->world().removeAction(&this->second_);
@@ -167,7 +167,7 @@ TYPED_TEST(WorldLeftAsFound, WithWhatTheApplicationChangedMeanwhile) {
 }
 
 // The plugin's action comes first, whatever was added before or after.
-TYPED_TEST(WorldLeftAsFound, HasThePluginAheadOfItsActionsMeanwhile) {
+TYPED_TEST(WorldLeftAsFound, HasThePluginBeforeAllActionsWhileAttached) {
   RotationPlugin plugin(this->world());
   CountingAction fourth;
   this->world().addAction(&fourth);
@@ -182,7 +182,7 @@ TYPED_TEST(WorldLeftAsFound, HasThePluginAheadOfItsActionsMeanwhile) {
 
 // The plugin's island manager has the same type as the world's: in a multithreaded world a multithreaded one,
 // with the same settings.
-TYPED_TEST(WorldLeftAsFound, HasAnIslandManagerOfItsKindMeanwhile) {
+TYPED_TEST(WorldLeftAsFound, HasAnIslandManagerOfTheSameTypeWhileAttached) {
   auto* const multi_threaded =
       dynamic_cast<btSimulationIslandManagerMt*>(Members::island_manager(this->world()));
   if (multi_threaded != nullptr) {
@@ -204,7 +204,7 @@ TYPED_TEST(WorldLeftAsFound, HasAnIslandManagerOfItsKindMeanwhile) {
 }
 
 // After its world is deleted, the plugin does nothing.
-TYPED_TEST(WorldLeftAsFound, MayDieBeforeItsPlugin) {
+TYPED_TEST(WorldLeftAsFound, MayBeDeletedBeforeItsPlugin) {
   RotationPlugin plugin(this->world());
   this->scene_->step(kDt, 3);
   this->scene_.reset();
@@ -224,7 +224,7 @@ TYPED_TEST(WorldLeftAsFound, MayDieBeforeItsPlugin) {
 
 // The world may also be deleted while the plugin is detached. The plugin's own island manager then cannot
 // report the deletion, and the plugin may only be destroyed afterwards.
-TYPED_TEST(WorldLeftAsFound, MayDieWhileItsPluginIsDetached) {
+TYPED_TEST(WorldLeftAsFound, MayBeDeletedWhileItsPluginIsDetached) {
   auto plugin = std::make_unique<RotationPlugin>(this->world());
   plugin->detach();
   this->scene_.reset();
@@ -233,7 +233,7 @@ TYPED_TEST(WorldLeftAsFound, MayDieWhileItsPluginIsDetached) {
 }
 
 // A new world at the address of a deleted one is a different world.
-TYPED_TEST(WorldLeftAsFound, MayBeFollowedByAnotherAtItsAddress) {
+TYPED_TEST(WorldLeftAsFound, MayBeReplacedByAnotherAtItsAddress) {
   for (int i = 0; i < 3; ++i) {
     auto scene = std::make_unique<Scene<TypeParam>>();
     RotationPlugin plugin(scene->world());
@@ -324,7 +324,7 @@ TYPED_TEST(WorldLeftAsFound, IsRefusedWithAnIslandManagerOfTheApplicationsOwn) {
 
 // The application replaces the island manager while the plugin is attached, and restores it before the plugin
 // is destroyed.
-TYPED_TEST(WorldLeftAsFound, ThoughItsIslandManagerWasReplacedForATime) {
+TYPED_TEST(WorldLeftAsFound, EvenIfItsIslandManagerWasReplacedTemporarily) {
   const Inventory before(this->world());
   {
     RotationPlugin plugin(this->world());
@@ -344,7 +344,7 @@ TYPED_TEST(WorldLeftAsFound, ThoughItsIslandManagerWasReplacedForATime) {
 // The application replaces the island manager and does not restore it before the plugin is destroyed. The
 // application's manager stays, and the plugin's continues to work as a plain one. If it is put back later,
 // the world frees it together with the original one.
-TYPED_TEST(WorldLeftAsFound, ButForAnIslandManagerThatIsStillSomebodyElses) {
+TYPED_TEST(WorldLeftAsFound, ExceptForAnIslandManagerThatTheApplicationReplaced) {
   ManagerFor<TypeParam> theirs;
   btSimulationIslandManager* plugins = nullptr;
   {

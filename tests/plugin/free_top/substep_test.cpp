@@ -45,7 +45,7 @@ TEST(Labels, PutTheAxesIntoOneNumber) {
   EXPECT_EQ(order, FreeTopStep<double>::kOrders);
 }
 
-TEST(FreeTopStep, KeepsTheNumberOfItsSubstepsBesideTheOrderOfItsAxes) {
+TEST(FreeTopStep, StoresTheNumberOfSubstepsWithTheAxisOrder) {
   for (double order = 0.0; order < FreeTopStep<double>::kOrders; order += 1.0) {
     FreeTopStep<double> step{};
     step.kind = order;

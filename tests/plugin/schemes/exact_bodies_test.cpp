@@ -146,7 +146,7 @@ void step_together(std::vector<Body>& bodies, const std::vector<std::size_t>& ch
   }
 }
 
-TEST(ExactBodies, MoveToTheLastBitAsEachAloneInAnyCompany) {
+TEST(ExactBodies, GetTheSameBitsInAnyBatch) {
   const auto expected = alone(all_kinds());
   std::mt19937 generator(3);
   std::vector<std::size_t> order(expected.size());

@@ -296,7 +296,7 @@ TEST(Exact, LeavesABodyAtRestAlone) {
   }
 }
 
-TEST(Exact, SaysSoWhereDoublePrecisionEnds) {
+TEST(Exact, GivesANonFiniteStateWhereDoublePrecisionEnds) {
   RotationState state = state_from(Vector3(1, 2, 3), kTilted, Vector3(1e200, 1e200, 0));
   find_scheme("exact")->step({Vector3(1, 2, 3), Vector3::Zero(), kDt}, state);
   EXPECT_FALSE(state.all_finite());

@@ -10,14 +10,14 @@ using testing::HasSubstr;
 
 class ProgramUnderRun : public testing::TestWithParam<Host> {};
 
-TEST_P(ProgramUnderRun, HasAllWordsAfterItsName) {
+TEST_P(ProgramUnderRun, GetsAllArgumentsAfterItsName) {
   const CommandResult result =
       run({"--quiet", GetParam().program, "arguments", "--scheme", "--quiet", "--", "a b"});
   EXPECT_EQ(result.standard_output, "[--scheme][--quiet][--][a b]");
   EXPECT_EQ(result.exit_code, 0);
 }
 
-TEST_P(ProgramUnderRun, CanBeMarkedByTwoDashes) {
+TEST_P(ProgramUnderRun, MayFollowTwoDashes) {
   EXPECT_EQ(run({"--quiet", "--", GetParam().program, "arguments", "a"}).standard_output, "[a]");
 }
 
@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(By, ProgramThatRotatesItself, testing::Values("world", 
                          [](const auto& test) { return test.param; });
 #endif
 
-TEST(ProgramWithAnotherBullet, GoesOnAndIsToldWhichWasFound) {
+TEST(ProgramWithAnotherBullet, RunsWithAMessageThatNamesTheBulletFound) {
   const CommandResult result = run({POLHODE_OTHER_HOST});
   EXPECT_EQ(result.exit_code, 7);
   EXPECT_THAT(
