@@ -65,14 +65,13 @@ TEST_P(RefusedSchemeLibrary, IsNamedWithTheReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     , RefusedSchemeLibrary,
-    testing::Values(Refused{"/no/such.so", "cannot be loaded"}, Refused{"/", "cannot be loaded"},
-                    Refused{__FILE__, "cannot be loaded"},
-                    Refused{
-                        POLHODE_LIBRARY_WITHOUT_SCHEMES,
-                        "is no library of rotation schemes; valid is one made with POLHODE_SCHEME_LIBRARY"},
-                    Refused{POLHODE_OTHER_VERSION, "was compiled for polhode 0.99; valid is 0."},
-                    Refused{POLHODE_BUILT_IN_NAME,
-                            "the rotation scheme \"rk4\" is built in: register yours under another name"}));
+    testing::Values(
+        Refused{"/no/such.so", "cannot be loaded"}, Refused{"/", "cannot be loaded"},
+        Refused{__FILE__, "cannot be loaded"},
+        Refused{POLHODE_LIBRARY_WITHOUT_SCHEMES,
+                "is no library of rotation schemes; valid is one made with POLHODE_SCHEME_LIBRARY"},
+        Refused{POLHODE_OTHER_VERSION, "was compiled for polhode 0.99; valid is 0."},
+        Refused{POLHODE_BUILT_IN_NAME, "the rotation scheme \"rk4\" is built in: choose another name"}));
 
 }  // namespace
 }  // namespace polhode::demos

@@ -202,8 +202,7 @@ TYPED_TEST(HostileSnapshot, OfAnotherWorldIsRefused) {
   EXPECT_THAT(this->refusal_of_world(this->of_world), HasSubstr("object 3 has inverse mass 0.5"));
   WorldOrder order = order_of(this->way.world());
   order.objects[0] = order.objects[1];
-  EXPECT_THAT(refusal([&] { rotation.restore_world(this->of_world, order); }),
-              HasSubstr("exactly once"));
+  EXPECT_THAT(refusal([&] { rotation.restore_world(this->of_world, order); }), HasSubstr("exactly once"));
   this->way.add_free(btVector3(1, 2, 3), btVector3(0, 0, 0));
   EXPECT_THAT(this->refusal_of_world(this->of_world), HasSubstr("of a world with 4 bodies"));
 }
