@@ -1,8 +1,8 @@
 # Finds Bullet in one precision and wraps it in an imported target. Used by the build and, after installation, by
 # find_package(polhode).
 #
-# Tries in this order: the target named by the user; pkg-config's modules bullet and bullet-float64, whose flags tell
-# their precision; for single precision, if pkg-config knows no bullet, CMake's FindBullet module. Does not use Bullet's
+# Tries in this order: the target named by the user; pkg-config's modules bullet and bullet-float64, whose flags state
+# their precision; for single precision, if pkg-config has no module bullet, CMake's FindBullet module. Does not use Bullet's
 # own BulletConfig.cmake: in Debian's package its include directory is relative, and it names libraries that are not
 # installed.
 
@@ -40,7 +40,7 @@ function(polhode_find_bullet bits user_target)
       endif()
     endforeach()
   endif()
-  # FindBullet would find the libraries of the module bullet, in whichever precision.
+  # If pkg-config has a module bullet, FindBullet would find the libraries of that module, in either precision.
   if(bits EQUAL 32 AND NOT TARGET PkgConfig::POLHODE_PKG_bullet)
     find_package(Bullet MODULE QUIET)
     if(BULLET_FOUND)
