@@ -4,7 +4,7 @@
 
 #include "record/quantities.h"
 
-/// The rows of a record as CSV; demos/README.md documents the columns.
+/// The rows of a record as CSV; docs/compare.md documents the columns.
 namespace polhode::demos {
 
 /// The first line, newline included.

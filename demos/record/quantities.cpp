@@ -13,7 +13,8 @@ using Value = std::optional<double>;
 constexpr const char* kNotInCsv = "";
 constexpr const char* kNoPlot = "";
 
-// L.omega/2 with omega = R I^-1 R^T L, one term of it: also of a basis that is no rotation. L without the rotors.
+// Returns one term of L.omega/2 with omega = R I^-1 R^T L, and L without the rotors. Valid for a basis that is not a
+// rotation, too.
 double axis_energy_J(const Instant& at, int axis) {
   const RotationState& state = at.sample.state;
   const double L = state.R_WB.col(axis).dot(state.L_W) - state.rotor_momentum_B[axis];
@@ -37,25 +38,27 @@ const std::vector<Quantity>& quantities() {
        "angular momentum about the centre of mass, world axes",
        [](const Instant& at, int i) -> Value { return at.sample.state.L_W[i]; }},
       {"energy_error", kNotInCsv, "1", 1, Drawing::logarithmic, "energy error",
-       "E/E0 - 1, the relative change of the total energy; not known where E0 is 0",
+       "E/E0 - 1, the relative change of the total energy; unknown if E0 is 0",
        [](const Instant& at, int) { return energy_error(at.sample, at.start); }},
       {"momentum_error", kNotInCsv, "1", 1, Drawing::logarithmic, "|L| error",
-       "|L|/|L0| - 1, the relative change of the length of L; not known where L0 is 0",
+       "|L|/|L0| - 1, the relative change of the length of L; unknown if L0 is 0",
        [](const Instant& at, int) { return momentum_error(at.sample, at.start); }},
       {"momentum_angle_rad", kNotInCsv, "rad", 1, Drawing::logarithmic, "turn of L",
-       "angle between L and L at the start; not known where that is 0",
+       "angle between L and the initial L; unknown if the initial L is 0",
        [](const Instant& at, int) { return momentum_angle_rad(at.sample, at.start); }},
       {"energy_J", "energy_J", "J", 1, Drawing::linear, "energy",
-       "rotational, translational, and potential with zero at the height of the world's origin",
+       "rotational, translational and potential energy; the potential is zero at the height of the world's "
+       "origin",
        [](const Instant& at, int) -> Value { return at.sample.energy_J; }},
       {"axis_energy_J", kNotInCsv, "J", 3, Drawing::linear, "energy about body axis",
-       "I omega^2 / 2 about each axis: how a tumbling body hands its energy from axis to axis",
+       "I omega^2 / 2 about each axis: shows how energy moves from axis to axis in a tumbling body",
        [](const Instant& at, int i) -> Value { return axis_energy_J(at, i); }},
       {"det_R", "det_R", "1", 1, Drawing::adaptive, "det R",
-       "of the basis that Bullet is given: 1 for a rotation, else the volume by which it swells",
+       "determinant of the basis passed to Bullet: 1 for a rotation, else the factor by which the body's "
+       "volume has changed",
        [](const Instant& at, int) -> Value { return at.sample.det_R(); }},
       {"attitude_error_rad", "attitude_error_rad", "rad", 1, Drawing::logarithmic, "attitude error",
-       "angle between the orientation and the exact one; known where the scenario is torque-free",
+       "angle between the orientation and the exact one; known for torque-free scenarios",
        [](const Instant& at, int) { return at.sample.attitude_error_rad; }},
       {"R_WB", kNotInCsv, "1", 9, Drawing::view, kNoPlot, "basis of the body, column by column",
        [](const Instant& at, int i) -> Value { return at.sample.state.R_WB.data()[i]; }},

@@ -3,7 +3,7 @@
 #include "scenario/drive.h"
 #include "scenario/key.h"
 
-/// The keys of what drives a body, for any visitor: see scenario_keys.h.
+/// The keys of torque laws and rotors, for any visitor: see scenario_keys.h.
 namespace polhode::demos {
 
 inline constexpr Range kCoefficient{0.0, 1e9};
@@ -52,7 +52,7 @@ void visit_keys(Visitor& visitor, MotorTorque& torque) {
 template <class Visitor>
 void visit_keys(Visitor& visitor, Drive& drive) {
   visitor.vector({"rotor_momentum", Presence::if_set, kAnySign,
-                  "kg m^2/s, body axes: of rotors inside the body, at the start"},
+                  "kg m^2/s, body axes: initial momentum of the rotors inside the body"},
                  drive.rotor_momentum_B);
   visitor.list({"rotor_torque", Presence::if_set}, drive.motor_torques);
   visitor.choice({"torque_law", Presence::if_set}, "kind", "torque law",

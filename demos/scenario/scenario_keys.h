@@ -4,9 +4,9 @@
 #include "scenario/drive_keys.h"
 #include "scenario/scenario.h"
 
-/// The keys of a scenario file, each once, in the order in which they are written. A visitor reads them into the object
-/// (scenario_reader.cpp), writes them (scenario_writer.cpp), or documents them (a test holds demos/README.md against it).
-/// What concerns several keys, the reader checks.
+/// The keys of a scenario file, each once, in the order in which they are written. A visitor reads them into the
+/// object (scenario_reader.cpp), writes them (scenario_writer.cpp), or compares them with docs/scenario_files.md (a
+/// test). The reader checks conditions on several keys.
 namespace polhode::demos {
 
 inline constexpr Range kMass{1e-9, 1e9};
@@ -55,9 +55,10 @@ void visit_keys(Visitor& visitor, Body& body) {
   visitor.vector({"inertia", inertia, kInertiaRange, "kg m^2: principal moments",
                   "; the triangle inequality need not hold", "the shape's; required without a shape"},
                  body.inertia_B);
-  visitor.number({"mass", Presence::optional, kMass, "kg", "; of a compound only the sum of its parts'",
-                  "1; of a compound the sum of its parts'"},
-                 body.mass);
+  visitor.number(
+      {"mass", Presence::optional, kMass, "kg", "; for a compound only the sum of its parts' masses",
+       "1; for a compound the sum of its parts' masses"},
+      body.mass);
   visitor.choice({"shape", Presence::optional, {}, "", "", "a sphere of 0.5 m"}, "type", "shape",
                  Kinds<Sphere, Box, Compound>{}, body.shape);
   visitor.vector({"position", Presence::optional, kPlace, "m: the centre of mass"}, body.position_W);
@@ -75,7 +76,7 @@ void visit_keys(Visitor& visitor, Body& body) {
 template <class Visitor>
 void visit_keys(Visitor& visitor, PointToPoint& joint) {
   visitor.vector({"pivot_B", Presence::required, kPlace,
-                  "m: the point of the first body, in its own frame, which stays where it is at the start"},
+                  "m: the point of the first body, in its own frame, that stays fixed in the world"},
                  joint.pivot_B);
 }
 
@@ -97,13 +98,12 @@ void visit_keys(Visitor& visitor, Scenario& scenario) {
   visit_keys(visitor, scenario.body);
   visitor.list({"others"}, scenario.others);
   visitor.vector({"gravity", Presence::optional, kAnySign, "m/s^2"}, scenario.gravity_W);
-  visitor.vector({"torque", Presence::optional, kAnySign, "N m: constant, on the first body"},
+  visitor.vector({"torque", Presence::optional, kAnySign, "N m: a constant torque on the first body"},
                  scenario.torque_W);
   visitor.choice({"constraint"}, "type", "constraint", Kinds<PointToPoint>{}, scenario.constraint);
   visitor.object({"ground"}, scenario.ground);
   visitor.whole_number({"solver_iterations", Presence::optional, {1, 1000}}, scenario.solver_iterations);
-  visitor.number({"dt", Presence::required, kDtRange, "s", " (Bullet takes less for no step at all)"},
-                 scenario.dt);
+  visitor.number({"dt", Presence::required, kDtRange, "s", " (Bullet ignores shorter steps)"}, scenario.dt);
   visitor.number({"duration", Presence::required, kDurationRange, "s",
                   "; duration/dt, rounded to whole steps, is 1 to 1e8; less than one step is an error"},
                  scenario.duration);

@@ -56,7 +56,7 @@ class CellMap {
   /// Returns the number of cells that keep a thread busy for some 0.1 s.
   virtual std::int64_t cells_in_round() const = 0;
 
-  /// Return all cells as text, by their index; demos/README.md documents columns and keys.
+  /// Return all cells as text, by their index; docs/work_precision.md documents columns and keys.
   virtual std::string csv(const std::vector<CellResult>& results) const = 0;
   virtual std::string json(const std::vector<CellResult>& results) const = 0;
   /// Returns a summary for the terminal.

@@ -20,7 +20,7 @@ struct ContenderCost {
 /// Does what the options say, files included.
 std::vector<ContenderCost> costs(const CostOptions& options);
 
-/// The results as text; demos/README.md documents columns and keys.
+/// The results as text; docs/work_precision.md documents columns and keys.
 std::string cost_table(const std::vector<ContenderCost>& costs);
 std::string cost_csv(const std::vector<ContenderCost>& costs);
 std::string cost_json(const std::vector<ContenderCost>& costs);

@@ -72,7 +72,7 @@ TEST(Compare, TellsTheHandoutsStoryByDefault) {
   }
 }
 
-// demos/README.md shows these figures.
+// docs/compare.md shows these figures.
 TEST(Compare, ShowsThatAMultibodyGainsEnergyInATumble) {
   const TemporaryDirectory directory;
   compare({"--scenario", "tumble", "--contender", "exact", "--contender", "bullet:implicit_body",
@@ -86,7 +86,7 @@ TEST(Compare, ShowsThatAMultibodyGainsEnergyInATumble) {
   EXPECT_THAT(read_file(directory / "out.html"), HasSubstr("\"bullet:multibody\""));
 }
 
-// demos/README.md shows these figures.
+// docs/compare.md shows these figures.
 TEST(Compare, ShowsThatFrictionTurnsAPencilOver) {
   const TemporaryDirectory directory;
   compare({"--scenario", "explorer_1", "--contender", "exact", "--contender", "bullet:implicit_body",

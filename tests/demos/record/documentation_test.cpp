@@ -1,4 +1,4 @@
-// demos/README.md has the columns of the CSV and the figures as the tables in the code have them.
+// docs/compare.md lists the columns of the CSV and the figures as the code defines them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 namespace polhode::demos {
 namespace {
 
-std::string readme() {
-  return read_file(POLHODE_DEMOS_README);
+std::string page() {
+  return read_file(POLHODE_COMPARE_PAGE);
 }
 
 std::string replaced(const std::string& text, const char* pattern, const char* with) {
@@ -26,7 +26,7 @@ TEST(Documentation, HasTheColumnsOfTheCsv) {
     table += "| `" + replaced(quantity.csv_columns, ",", "`, `") + "` | " + quantity.unit + " | " +
              quantity.meaning + " |\n";
   }
-  EXPECT_THAT(readme(), testing::HasSubstr("\n\n" + table + "\n"));
+  EXPECT_THAT(page(), testing::HasSubstr("\n\n" + table + "\n"));
 }
 
 TEST(Documentation, HasTheFiguresOfTheTable) {
@@ -36,13 +36,13 @@ TEST(Documentation, HasTheFiguresOfTheTable) {
     const std::string row = replaced(column.heading, "\n", " ") + "\n" + column.meaning;
     table += "| " + replaced(replaced(row, "\\|", "\\|"), "\n", " | ") + " |\n";
   }
-  EXPECT_THAT(readme(), testing::HasSubstr("\n\n" + table + "\n"));
+  EXPECT_THAT(page(), testing::HasSubstr("\n\n" + table + "\n"));
 }
 
 TEST(Documentation, HasTheFiguresOfTheJson) {
   std::string list = "Each contender has `name`";
   for (const FigureColumn& column : figure_columns()) list += std::string(", `") + column.key + "`";
-  EXPECT_THAT(replaced(readme(), "\\s+", " "), testing::HasSubstr(list + ":"));
+  EXPECT_THAT(replaced(page(), "\\s+", " "), testing::HasSubstr(list + ":"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// demos/README.md has the keys of a scenario file as the code has them.
+// docs/scenario_files.md lists the keys of a scenario file as the code defines them.
 #include "scenario/scenario_keys.h"
 
 #include <gmock/gmock.h>
@@ -107,13 +107,11 @@ TEST(ScenarioKeys, AreDocumentedWithTypeUnitDefaultAndRange) {
   Scenario scenario;
   visit_keys(documentation, scenario);
 
-  const std::string readme = read_file(POLHODE_DEMOS_README);
-  const std::string section = readme.substr(readme.find("## Scenario files"));
-  for (const std::string& row : rows) EXPECT_THAT(section, testing::HasSubstr("\n" + row));
+  const std::string page = read_file(POLHODE_SCENARIO_FILES_PAGE);
+  for (const std::string& row : rows) EXPECT_THAT(page, testing::HasSubstr("\n" + row));
   const std::regex any_row("\n\\| `");
-  EXPECT_EQ(
-      std::distance(std::sregex_iterator(section.begin(), section.end(), any_row), std::sregex_iterator()),
-      static_cast<std::ptrdiff_t>(rows.size()));
+  EXPECT_EQ(std::distance(std::sregex_iterator(page.begin(), page.end(), any_row), std::sregex_iterator()),
+            static_cast<std::ptrdiff_t>(rows.size()));
 }
 
 }  // namespace

@@ -252,7 +252,7 @@ TEST(ScenarioWorld, MakesEachBodyAMultibodyAsBulletHasIt) {
   EXPECT_FALSE(first.getCanSleep());
 }
 
-// demos/README.md says so of this contender.
+// docs/compare.md says so.
 TEST(ScenarioWorld, DampsAMultibodyTheMoreTheFasterItIs) {
   const Scenario scenario = parse_scenario(
       R"({"inertia": [1, 1, 1], "linear_velocity": [3, 0, 0], "angular_velocity": [0, 0, 7],
@@ -265,7 +265,7 @@ TEST(ScenarioWorld, DampsAMultibodyTheMoreTheFasterItIs) {
   EXPECT_EQ(world.sample()->state.omega_W, Vector3(0, 0, 7 - 0.0625 * 0.25 * (1 + 7) * 7));
 }
 
-// demos/README.md says so of this contender.
+// docs/compare.md says so.
 TEST(ScenarioWorld, LeavesAMultibodyBulletsLimitOfItsVelocity) {
   const Scenario scenario = parse_scenario(
       R"({"inertia": [1, 1, 1], "linear_velocity": [150, 0, 50], "angular_velocity": [0, 30, -120],
