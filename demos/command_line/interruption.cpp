@@ -12,7 +12,7 @@ extern "C" void note_signal(int signal) {
   noted_signal = signal;
 }
 
-// A shell ignores signals for a program in the background, and nohup the hangup: that stays so.
+// A shell ignores signals for a background program, and nohup ignores the hangup; keep it that way.
 void watch_for(int signal) {
   if (std::signal(signal, note_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
 }
@@ -26,7 +26,7 @@ void watch_for_interruption() {
   watch_for(SIGHUP);
 #endif
 #ifdef SIGXFSZ
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the size limit is an error of its writer
+  std::signal(SIGXFSZ, SIG_IGN);  // writing beyond the file size limit then fails with an error
 #endif
 }
 

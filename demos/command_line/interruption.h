@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// Ctrl-C, a termination request or the terminal's end, as an exception, so that destructors remove
+/// Reports Ctrl-C, a termination request or the terminal's end as an exception, so that destructors remove
 /// half-written files.
 class Interrupted : public std::runtime_error {
  public:
@@ -17,11 +17,11 @@ class Interrupted : public std::runtime_error {
   int signal_;
 };
 
-/// Notes such a signal from now on. A limit on the size of files no longer ends the program either: writing
-/// fails.
+/// Starts noting these signals. Also makes writing beyond the file size limit fail instead of ending the
+/// program.
 void watch_for_interruption();
 
-/// Returns that signal, 0 if there was none.
+/// Returns the signal noted, 0 if there is none.
 int interrupting_signal();
 
 /// @throws Interrupted if one was noted.

@@ -42,7 +42,7 @@ std::string valid_words(const CLI::App& app) {
   throw std::invalid_argument(option + ": must be " + valid + ", is \"" + text + "\"");
 }
 
-// Writes the word byte by byte, as bash, zsh and the shell of POSIX 2024 read it.
+// Writes the word byte by byte, as bash, zsh and a POSIX 2024 shell read it.
 std::string escaped_shell_word(const std::string& word) {
   std::string quoted = "$'";
   for (const char c : word) {
@@ -59,7 +59,7 @@ std::string escaped_shell_word(const std::string& word) {
   return quoted + "'";
 }
 
-// In quotes where a shell would take the word apart, or a page would not show what is in it.
+// Quotes a word if a shell would split or expand it, or if a page would not show its characters.
 std::string shell_word(const std::string& word) {
   if (!first_unprintable(word).empty()) return escaped_shell_word(word);
   constexpr std::string_view kPlain =

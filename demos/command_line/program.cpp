@@ -17,9 +17,9 @@ constexpr int kBadInput = 2;
 constexpr int kSignalBase = 128;  // as shells report it
 
 void print_error(const std::string& program, const std::string& message) {
-  constexpr std::size_t kLongest = 8192;  // room for a list of what is valid, and a file's whole path
+  constexpr std::size_t kLongest = 8192;  // fits a list of valid names and a file's whole path
   const std::string line = std::filesystem::path(program).filename().string() + ": " + message;
-  // In one piece, since other processes may print to the same place.
+  // Written at once, since other processes may print to the same terminal.
   std::cerr << printable(shortened(line, kLongest)) + "\n" << std::flush;
 }
 
@@ -35,7 +35,7 @@ int run_program(const std::string& program, const std::function<void()>& work,
     return kSignalBase + interrupted.signal();
   } catch (const std::exception& error) {
     if (!is_quiet()) print_error(program, error.what());
-    // A signal may have been what ended the reading of a pipe.
+    // A signal may have ended the reading of a pipe.
     return interrupting_signal() != 0 ? kSignalBase + interrupting_signal() : kBadInput;
   }
 }

@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// A bar on stderr while it lives, if stderr is a terminal; else nothing.
+/// Shows a bar on stderr during its lifetime, if stderr is a terminal.
 class ProgressBar {
  public:
   explicit ProgressBar(std::int64_t total_steps);

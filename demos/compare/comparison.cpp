@@ -27,8 +27,8 @@ Scenario chosen_scenario(const Options& options) {
   });
 }
 
-// The files that a comparison writes beside the table. They are opened before the run, which may be long, to
-// fail early, and get their names after it.
+// The files that a comparison writes besides the table. They are opened before the run, to fail early, and
+// get their names after it.
 struct Files {
   std::optional<OutputFile> csv;
   std::optional<OutputFile> json;

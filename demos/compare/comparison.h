@@ -5,11 +5,11 @@
 
 namespace polhode::demos {
 
-/// Does what the options say: reads the scenario, runs the contenders, writes the CSV and JSON files.
-/// @throws std::exception that says what is wrong and what is valid; then no file was written.
+/// Runs the comparison that the options describe and writes its files.
+/// @throws std::exception that says what is wrong and what is valid; no file is written then
 Comparison compare(const Options& options);
 
-/// Scenarios and contenders, a line each.
+/// Lists scenarios and contenders, one per line.
 std::string list_text();
 
 }  // namespace polhode::demos

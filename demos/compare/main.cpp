@@ -1,5 +1,5 @@
-// Rotates one scenario by several contenders and prints how well each kept energy, momentum and shape. Built
-// once for each of Bullet's precisions.
+// Rotates one scenario by several contenders and prints how well each keeps energy, momentum and orientation.
+// Built for each of Bullet's precisions.
 #include "command_line/interruption.h"
 #include "command_line/program.h"
 #include "compare/comparison.h"

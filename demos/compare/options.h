@@ -11,13 +11,13 @@ namespace polhode::demos {
 struct Options {
   bool list = false;
   std::string scenario = "dzhanibekov";
-  std::vector<std::string> contenders;  ///< empty: the default ones
+  std::vector<std::string> contenders;  ///< empty for the default ones
   std::optional<double> dt;
   std::optional<double> duration;
   std::optional<std::filesystem::path> csv;
   std::optional<std::filesystem::path> json;
   std::optional<std::filesystem::path> report;
-  std::string command;  ///< the whole command line, as a shell would take it
+  std::string command;  ///< the whole command line, quoted for a shell
 };
 
 /// Returns the options, or nothing if the command line asked for --help or --version, which is then printed.

@@ -7,10 +7,10 @@
 
 namespace polhode::demos {
 
-/// A run's figures as they stand in it.
+/// Returns the figures of a run as the document has them.
 nlohmann::ordered_json figures_json(const Figures& figures);
 
-/// The comparison as a JSON document; docs/compare.md documents its keys.
+/// Returns the comparison as a JSON document; docs/compare.md documents its keys.
 std::string comparison_json(const Comparison& comparison);
 
 }  // namespace polhode::demos

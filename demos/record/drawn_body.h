@@ -7,11 +7,11 @@
 
 namespace polhode::demos {
 
-/// A box of a body, in the body's axes. m.
+/// A box of a body, in body axes, m.
 struct DrawnBox {
   Vector3 half_extents;
   Vector3 at_B;
-  Quaternion q_BP;  ///< turns the box' axes into the body's
+  Quaternion q_BP;  ///< rotates the box's axes into the body's
 };
 
 /// The shape that is drawn for a body: a sphere, or boxes.

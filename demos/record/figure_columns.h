@@ -9,21 +9,21 @@
 
 #include "record/figures.h"
 
-/// The figures of a run. The table, the JSON and the report are made from this one list.
+/// The figures of a run. Table, JSON and report are made from this list.
 namespace polhode::demos {
 
 struct FigureColumn {
   const char* key;      ///< in the JSON
-  const char* heading;  ///< in the table: two lines; empty: not in the table
-  int digits;           ///< significant ones in the table; 0: a whole number, rounded down
+  const char* heading;  ///< two lines of the table; empty if not in the table
+  int digits;           ///< significant digits in the table; 0 for a whole number, rounded down
   std::variant<std::int64_t Figures::*, double Figures::*, std::optional<double> Figures::*> member;
   const char* meaning;
-  bool has_sign = false;  ///< in the table a + before what is above 0
+  bool has_sign = false;  ///< the table shows a + before positive values
 
   bool is_in_table() const { return *heading != '\0'; }
-  /// Returns null where there is no such figure.
+  /// Returns null if the run has no such figure.
   nlohmann::ordered_json value(const Figures& figures) const;
-  /// Returns the value as in the table, "-" where there is none.
+  /// Returns the value as in the table, "-" if there is none.
   std::string cell(const Figures& figures) const;
 };
 

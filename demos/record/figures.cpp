@@ -21,7 +21,7 @@ void FiguresRecorder::add(const Sample& sample) {
   add_errors(sample);
 }
 
-// An absent one is less than any.
+// Treats an absent value as less than any number.
 void FiguresRecorder::add_errors(const Sample& sample) {
   const auto take_larger = [](const std::optional<double>& error, std::optional<double>& worst) {
     if (error) worst = std::max(worst, std::optional(std::abs(*error)));

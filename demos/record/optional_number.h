@@ -6,7 +6,7 @@
 
 #include "scenario/number_text.h"
 
-/// Cells of tables, CSV and JSON that may have no number in them.
+/// Cells of tables, CSV and JSON that may be empty.
 namespace polhode::demos {
 
 inline std::string table_cell(const std::optional<double>& value, int digits) {

@@ -22,7 +22,7 @@ std::string last_error() {
   return std::strerror(errno);
 }
 
-// Renaming onto a link would replace the link, not the file that it leads to.
+// Follows links: renaming onto a link would replace the link instead of its target.
 fs::path without_links(const fs::path& target) {
   std::error_code error;
   const fs::path resolved = fs::weakly_canonical(target, error);
@@ -34,7 +34,7 @@ fs::path without_links(const fs::path& target) {
 OutputFile::OutputFile(const fs::path& target) : target_(without_links(target)) {
   std::error_code error;
   const fs::file_status status = fs::status(target_, error);
-  // Renaming onto a device such as /dev/null would replace it for everybody.
+  // Renaming onto a device such as /dev/null would replace the device.
   if (fs::exists(status) && !fs::is_regular_file(status)) fail(target, "not a regular file");
   if (fs::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(target, last_error());
   if (!target_.has_filename()) fail(target, "no file name");

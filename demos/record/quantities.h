@@ -5,28 +5,29 @@
 
 #include "record/sample.h"
 
-/// The quantities of a body over time. The columns of the CSV and the plots of report and viewer are made from this
-/// one table.
+/// The quantities of a body over time. The CSV's columns and the plots of report and viewer are made from
+/// this table.
 namespace polhode::demos {
 
-/// A sample with what some quantities are relative to.
+/// A sample with the values that some quantities are relative to.
 struct Instant {
   const Sample& sample;
   const Sample& start;
   Vector3 inertia_B;
 };
 
-/// How report and viewer draw a quantity: not at all, as part of the 3D views, or as a plot. The axis of errors is
-/// logarithmic and shows their magnitude; an adaptive one is logarithmic if the values span much.
+/// How report and viewer draw a quantity: not at all, as part of the 3D views, or as a plot. The axis of
+/// errors is logarithmic and shows magnitudes; an adaptive axis is logarithmic if the values span several
+/// powers of ten.
 enum class Drawing { none, view, linear, logarithmic, adaptive };
 
 struct Quantity {
-  const char* key;          ///< in the data of the report
-  const char* csv_columns;  ///< joined by commas; empty: not in the CSV
+  const char* key;          ///< names the quantity in the report's data
+  const char* csv_columns;  ///< separated by commas; empty if not in the CSV
   const char* unit;
   int components;  ///< of a vector along x, y, z, or 1
   Drawing drawing;
-  const char* label;  ///< of its plot
+  const char* label;  ///< names the plot
   const char* meaning;
   std::optional<double> (*value)(const Instant& at, int component);
 
@@ -39,7 +40,7 @@ struct Quantity {
 /// Returns all quantities, in the order of the CSV's columns.
 const std::vector<Quantity>& quantities();
 
-/// Returns those that are plotted, errors first.
+/// Returns the quantities that are plotted, errors first.
 std::vector<const Quantity*> plotted_quantities();
 
 }  // namespace polhode::demos

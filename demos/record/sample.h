@@ -13,9 +13,10 @@ struct Sample {
   double t_s = 0.0;
   RotationState state;
   Vector3 position_W = Vector3::Zero();  ///< of the centre of mass, m
-  /// Rotational, translational and potential; the latter is zero at the height of the world's origin.
+  /// Rotational, translational and potential energy; the potential is zero at the height of the world's
+  /// origin.
   double energy_J = 0.0;
-  /// The angle between q_WB and the orientation that the exact motion from the start has, if that is known.
+  /// Angle between q_WB and the orientation of the exact motion from the start, if that is known.
   std::optional<double> attitude_error_rad = std::nullopt;
 
   double det_R() const { return state.R_WB.determinant(); }

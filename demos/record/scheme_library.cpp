@@ -46,7 +46,7 @@ void require_this_version(const boost::dll::shared_library& library, const std::
 }  // namespace
 
 void load_scheme_library(const std::filesystem::path& file) {
-  // Never unloaded: the code of the schemes is in there.
+  // Never unloaded, since it holds the schemes' code.
   const auto& library = *new boost::dll::shared_library(load(file));
   require_this_version(library, file);
   std::vector<SchemePointer> schemes;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Calls visit(quantity, component) for all that a record holds.
+/// Calls visit(quantity, component) for each value of a record.
 template <class Visit>
 void for_each_component(const Visit& visit) {
   for (const Quantity& quantity : quantities()) {

@@ -1,6 +1,6 @@
-# Joins the page of `polhode_compare --report` into one file: wherever page/report.html refers to a style sheet, a script or
-# a licence of its own, the file itself is put there, byte for byte. What is left open is the marker @REPORT_DATA@.
-# Needs -Dpage=<folder of report.html> -Doutput=<file>.
+# Joins the page of `polhode_compare --report` into one file: replaces each reference of page/report.html to a
+# style sheet, a script or a licence with the bytes of that file. The marker @REPORT_DATA@ is left open. Needs
+# -Dpage=<folder of report.html> -Doutput=<file>.
 cmake_minimum_required(VERSION 3.18)
 
 foreach(variable page output)
@@ -9,12 +9,13 @@ foreach(variable page output)
   endif()
 endforeach()
 
-# Contents are quoted wherever they are expanded: CMake would take a semicolon or a bracket in them for a list otherwise.
-# Nothing here configures text, which would replace what stands between two @.
+# Contents are quoted wherever they are expanded: otherwise CMake would take a semicolon or a bracket in them
+# for a list. Nothing here configures text, since that would replace text between two @.
 file(READ "${page}/report.html" rest)
 set(joined "")
 
-# Appends all up to and with `tag` to `joined`, the file in the place of the tag; what follows it is the new `rest`.
+# Appends the text up to and including `tag` to `joined`, with the file in place of the tag. The rest becomes
+# the new `rest`.
 macro(take tag before file after forbidden)
   string(FIND "${rest}" "${tag}" position)
   string(SUBSTRING "${rest}" 0 ${position} head)
@@ -29,7 +30,7 @@ macro(take tag before file after forbidden)
   string(APPEND joined "${head}" "${before}" "${content}" "${after}")
 endmacro()
 
-# The tags of the skeleton, in their order; it has no semicolon inside of one.
+# The tags of the skeleton, in their order. A tag must not contain a semicolon.
 string(REGEX MATCHALL
   "<link rel=\"stylesheet\" href=\"[^\"]*\">|<script src=\"[^\"]*\"></script>|<pre data-file=\"[^\"]*\"></pre>"
   tags "${rest}")

@@ -6,10 +6,10 @@
 
 namespace polhode::demos {
 
-/// RFC 4648, section 4, with padding.
+/// Encodes as in RFC 4648, section 4, with padding.
 std::string base64(std::string_view bytes);
 
-/// The numbers as IEEE 754 single precision, the least significant byte first.
+/// Encodes the numbers as IEEE 754 single precision, least significant byte first.
 std::string base64(const std::vector<float>& numbers);
 
 }  // namespace polhode::demos

@@ -1,4 +1,4 @@
-# Writes a C++ source that holds a file's bytes, which a function returns.
+# Writes a C++ source with a function that returns a file's bytes.
 #   cmake -Dinput=FILE -Doutput=FILE.cpp -Dheader=HEADER -Dfunction=NAME -P embed.cmake
 file(READ ${input} bytes HEX)
 string(REGEX REPLACE "(................................)" "\\1\n" bytes "${bytes}")

@@ -4,7 +4,7 @@
 
 namespace polhode::demos {
 
-/// The report's page with @REPORT_DATA@ where its data go, as assemble.cmake joins it from page/.
+/// Returns the report's page as joined by assemble.cmake from page/, with @REPORT_DATA@ in place of the data.
 std::string_view page_template();
 
 }  // namespace polhode::demos

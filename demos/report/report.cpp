@@ -70,7 +70,7 @@ Json cells_json(const Figures& figures) {
   return json;
 }
 
-// What is 0 all along, as the momentum of rotors that are not there, is left out.
+// Leaves out quantities that are always 0, such as the momentum of absent rotors.
 Json series_json(const Series& series) {
   Json json = {{"count", series.records()}, {"stride", series.stride}, {"past_cut", base64(series.past_cut)}};
   for (const auto& [key, numbers] : series.columns) {
@@ -98,7 +98,7 @@ std::string without_tags(const std::string& json) {
 
 std::size_t most_records(std::size_t contenders) {
   constexpr std::size_t kMostInAll = 6500;  // of some 160 bytes each
-  constexpr std::size_t kMost = 1000;       // more than a screen has columns for
+  constexpr std::size_t kMost = 1000;       // more than a screen has columns
   return std::min(kMost, kMostInAll / std::max<std::size_t>(1, contenders));
 }
 

@@ -10,22 +10,22 @@
 
 namespace polhode::demos {
 
-/// A comparison as a page to look at.
+/// A comparison to be written as a page.
 struct Report {
   Comparison comparison;
   std::vector<std::string> summaries;  ///< of the contenders
-  std::vector<Series> series;          ///< likewise
+  std::vector<Series> series;          ///< of the contenders
   DrawnBody body;
-  std::string command;  ///< that made it
+  std::string command;  ///< the command that made it
 };
 
-/// Returns the largest number of records in the series of so many contenders that keeps the page under 2 MB.
+/// Returns the largest number of records per contender that keeps the page under 2 MB.
 std::size_t most_records(std::size_t contenders);
 
-/// The report as JSON, which the page is filled with; report/page/data.js reads it.
+/// Returns the report as JSON, the data of the page; report/page/data.js reads it.
 std::string report_json(const Report& report);
 
-/// The whole page, which needs nothing else.
+/// Returns the whole page, which needs no other file.
 std::string report_html(const Report& report);
 
 }  // namespace polhode::demos

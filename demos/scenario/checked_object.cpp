@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLongestKey = 100;  // in a message
 
-// The value as it stands in the file, short enough for a message.
+// Returns the value as it stands in the file, shortened for a message.
 std::string excerpt(const nlohmann::json& value) {
   constexpr std::size_t kLongest = 40;
   const std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
@@ -24,8 +24,8 @@ std::string element(const std::string& key, std::size_t index) {
   return key + "[" + std::to_string(index) + "]";
 }
 
-// A vector or quaternion of unit length to rounding stays as it is: normalized again it could change in the last
-// bit, and a file would not read back as what was written.
+// Keeps a vector or quaternion whose length is 1 to rounding: normalizing it again could change the last bit,
+// so that a file would not read back as it was written.
 template <class T>
 T with_unit_length(const T& value) {
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
@@ -87,7 +87,7 @@ Vector3 CheckedObject::vector(const std::string& key, const Range& range,
 
 Vector3 CheckedObject::direction(const std::string& key, const Vector3& fallback) {
   const Vector3 vector = this->vector(key, kAnyLength, fallback);
-  // Far below this a division by the length would overflow.
+  // Dividing by a much smaller length would overflow.
   if (vector.norm() < 1e-12) fail(key, "must have a direction, is " + excerpt(value_->at(key)));
   return with_unit_length(vector);
 }

@@ -12,12 +12,12 @@
 
 namespace polhode::demos {
 
-/// A JSON object that is read key by key. Each read throws a ScenarioError naming file, key and what is
-/// valid. The keys that were asked for are the valid ones, so that no list of them can go stale. A key
-/// without a fallback is required.
+/// A JSON object that is read key by key. Each read throws a ScenarioError that names file, key and what is
+/// valid. The keys that were read are the valid ones, so there is no second list to maintain. A key without a
+/// fallback is required.
 class CheckedObject {
  public:
-  /// Long enough for the name of any file, even with all of its bytes escaped.
+  /// Fits the name of any file, even with all of its bytes escaped.
   static constexpr std::size_t kLongestText = 1024;
 
   /// `where` is the object's own key, empty for the whole file.
@@ -25,25 +25,25 @@ class CheckedObject {
 
   /// Returns true if the key is there, and makes `key` a valid one.
   bool has(const std::string& key);
-  /// One printable line of at most kLongestText bytes.
+  /// Reads one printable line of at most kLongestText bytes.
   std::string text(const std::string& key, const std::optional<std::string>& fallback = std::nullopt);
   double number(const std::string& key, const Range& range, std::optional<double> fallback = std::nullopt);
   int whole_number(const std::string& key, const Range& range, int fallback);
-  /// Three numbers, each within `range`.
+  /// Reads three numbers, each within `range`.
   Vector3 vector(const std::string& key, const Range& range,
                  const std::optional<Vector3>& fallback = std::nullopt);
-  /// Reads a vector as `vector` does, made a unit vector.
+  /// Reads a vector as `vector` does and normalizes it.
   Vector3 direction(const std::string& key, const Vector3& fallback);
-  /// w, x, y, z, made a unit quaternion.
+  /// Reads w, x, y, z and normalizes them.
   Quaternion orientation(const std::string& key, const Quaternion& fallback);
   CheckedObject object(const std::string& key);
-  /// A list of objects, empty if absent.
+  /// Reads a list of objects, empty if absent.
   std::vector<CheckedObject> objects(const std::string& key);
 
-  /// Refuses keys that were never asked for. Call it after the last read.
+  /// Refuses keys that were never read. Call it after the last read.
   void refuse_unknown_keys() const;
 
-  /// @throws ScenarioError with this text about that key.
+  /// @throws ScenarioError with this text about this key
   [[noreturn]] void fail(const std::string& key, const std::string& what) const;
 
  private:

@@ -6,10 +6,10 @@
 
 #include "polhode/torque_law.h"
 
-/// The content of the keys "torque_law", "rotor_momentum" and "rotor_torque", which drive a body; in SI units.
+/// The content of the keys "torque_law", "rotor_momentum" and "rotor_torque", in SI units.
 namespace polhode::demos {
 
-/// A planet, whose gravity pulls and turns the body.
+/// A planet whose gravity pulls and turns the body.
 struct GravityGradient {
   static constexpr char kKind[] = "gravity_gradient";
   double mu = 0.0;  ///< gravitational parameter, m^3/s^2
@@ -45,7 +45,7 @@ struct InternalDamping {
 using ChosenLaw =
     std::variant<GravityGradient, MagneticDipole, OrientationSpring, RateDamping, InternalDamping>;
 
-/// A torque of motors inside the body on its rotors, for some time.
+/// A torque of motors inside the body on its rotors, for a limited time.
 struct MotorTorque {
   Vector3 torque_B = Vector3::Zero();
   double from_s = 0.0;
@@ -58,16 +58,16 @@ struct Drive {
   std::optional<ChosenLaw> law;
 
   bool has_rotors() const;
-  /// Returns true if nothing but rotors that keep their momentum is in the body.
+  /// Returns true if nothing but rotors with constant momentum drives the body, or nothing at all.
   bool is_torque_free() const { return motor_torques.empty() && !law; }
-  /// Returns the sum of the rotor torques that act at that time.
+  /// Returns the sum of the rotor torques that act at this time.
   Vector3 motor_torque_B(double t_s) const;
 };
 
-/// The library's law.
+/// Returns the library's law.
 TorqueLaw torque_law(const ChosenLaw& law);
 
-/// The part of a body's motion on which the potential energy of a law depends.
+/// The part of a body's motion that the potential energy of a law depends on.
 struct Placement {
   Quaternion q_WB;
   Vector3 position_W;
@@ -75,7 +75,7 @@ struct Placement {
   double mass;
 };
 
-/// Returns the potential energy of the law, of a planet that of its pull too. A law that damps has none.
+/// Returns the potential energy of the law, including that of a planet's pull; 0 for a law that damps.
 double potential_J(const ChosenLaw& law, const Placement& body);
 
 }  // namespace polhode::demos

@@ -33,7 +33,7 @@ fs::file_type type_of(const fs::path& file) {
 
 class Descriptor {
  public:
-  // Without O_NONBLOCK a pipe with no writer would hold up the opening itself.
+  // Without O_NONBLOCK, opening a pipe without a writer would block.
   explicit Descriptor(const fs::path& file)
       : number_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)) {
     if (number_ < 0) fail_to_read();
@@ -42,7 +42,7 @@ class Descriptor {
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
 
-  /// Returns false if there was nothing to read until then.
+  /// Returns false if there is nothing to read by then.
   bool wait_until(Clock::time_point deadline) const {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
     pollfd readable{number_, POLLIN, 0};
@@ -52,7 +52,7 @@ class Descriptor {
     return count > 0;
   }
 
-  /// Returns the number of bytes that were read, 0 at the end.
+  /// Returns the number of bytes read, 0 at the end.
   std::size_t read(char* begin, std::size_t size) const {
     const ssize_t count = ::read(number_, begin, size);
     if (count < 0) fail_to_read();
@@ -67,7 +67,7 @@ class Descriptor {
 
 std::string read_text_file(const fs::path& file, std::size_t most, std::chrono::milliseconds patience) {
   const fs::file_type type = type_of(file);
-  // Devices are not even opened, which some of them take for a command.
+  // Devices are not opened, since opening some of them has an effect.
   if (type != fs::file_type::regular && type != fs::file_type::fifo) {
     throw InputFileError("neither a regular file nor a pipe");
   }
@@ -83,7 +83,7 @@ std::string read_text_file(const fs::path& file, std::size_t most, std::chrono::
     const std::size_t size = descriptor.read(buffer.data(), buffer.size());
     if (size == 0) return text;
     text.append(buffer.data(), size);
-    // Counted here, since a file may tell another size than it has.
+    // Counted here, since a file's reported size may be wrong.
     if (text.size() > most) {
       throw InputFileError("has more than " + number_text(static_cast<std::int64_t>(most)) + " bytes");
     }
@@ -98,7 +98,7 @@ std::ifstream open_regular_file(const fs::path& file) {
 }
 
 bool read_line(std::istream& stream, std::size_t longest, std::string& line) {
-  line.resize(longest + 1);  // with a 0 at its end
+  line.resize(longest + 1);  // includes the final 0
   stream.getline(line.data(), static_cast<std::streamsize>(line.size()));
   const bool is_read = !stream.fail();
   const bool has_newline = is_read && !stream.eof();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 100;  // bytes of a key, in a message
 
-// Follows the parser through the keys: the last one read says where a number overflowed.
+// Follows the parser through the keys: the last key read tells where a number overflowed.
 class KeyWatch {
  public:
   explicit KeyWatch(const std::string& file_name) : file_name_(file_name) {}
@@ -44,7 +44,7 @@ class KeyWatch {
   std::string last_key_;
 };
 
-// "[json.exception.parse_error.101] parse error at ..." without the bracket, and with little of a long token.
+// Removes the bracket of "[json.exception.parse_error.101] parse error at ..." and shortens a long token.
 std::string reason(const nlohmann::json::exception& error) {
   const std::string message = error.what();
   const std::size_t end = message.find("] ");
@@ -54,7 +54,7 @@ std::string reason(const nlohmann::json::exception& error) {
 }  // namespace
 
 nlohmann::json parse_json(const std::string& text, const std::string& file_name) {
-  // The library would take a zero byte for the end of the text, and leave the rest unread.
+  // The library would take a zero byte for the end of the text and ignore the rest.
   const std::size_t zero = text.find('\0');
   if (zero != std::string::npos) {
     throw ScenarioError(file_name + ": its byte " + std::to_string(zero + 1) +

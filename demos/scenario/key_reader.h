@@ -11,7 +11,7 @@
 
 namespace polhode::demos {
 
-/// @name What concerns several keys of an object, checked once they are read
+/// @name Conditions on several keys of an object, checked after reading them
 /// @{
 template <class Object>
 void check(CheckedObject& /*object*/, const Object& /*value*/) {}
@@ -59,7 +59,7 @@ class KeyReader {
     for (const CheckedObject& element : file_.objects(key.name)) read_keys(element, values.emplace_back());
   }
 
-  /// The key `tag` of the object, called `noun` in messages, says which of the kinds it is.
+  /// The key `tag` of the object, which messages call `noun`, names one of the kinds.
   template <class... Alternatives, class Chosen>
   void choice(const Key& key, const char* tag, const std::string& noun, Kinds<Alternatives...> /*kinds*/,
               Chosen& chosen) {
@@ -91,7 +91,7 @@ class KeyReader {
   CheckedObject& file_;
 };
 
-/// Reads all keys of the object in the file, and refuses others.
+/// Reads all keys of the object in the file and refuses others.
 /// @throws ScenarioError
 template <class Object>
 void read_keys(CheckedObject file, Object& value) {

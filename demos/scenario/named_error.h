@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// Returns what `work` returns. Puts the scenario's name before the message of an invalid argument.
+/// Returns what `work` returns. Prefixes the message of a std::invalid_argument with the scenario's name.
 template <typename Work>
 auto naming_the_scenario(const std::string& name, const Work& work) {
   try {

@@ -4,21 +4,21 @@
 #include <string>
 #include <string_view>
 
-/// Text from outside (a file, its name, the command line), made safe to show. A terminal obeys control
-/// characters, and directional formatting shows a text as another than it is.
+/// Makes text from outside (a file, its name, the command line) safe to show. A terminal obeys control
+/// characters, and directional formatting can disguise a text.
 namespace polhode::demos {
 
-/// The first character that printable() escapes: a control character, a line or paragraph separator,
+/// Returns the first character that printable() escapes: a control character, a line or paragraph separator,
 /// directional formatting, or a byte that is not UTF-8. Empty if there is none.
 std::string_view first_unprintable(std::string_view text);
 
-/// The text with each byte of such characters written as \xNN.
+/// Returns the text with each byte of such characters written as \xNN.
 std::string printable(std::string_view text);
 
-/// The same for each line of a text; newlines stay.
+/// Does the same for each line of a text and keeps newlines.
 std::string printable_lines(std::string_view text);
 
-/// The text, or its beginning and its end where it is longer than about `most` bytes.
+/// Returns the text, or its beginning and end if it is longer than about `most` bytes.
 std::string shortened(const std::string& text, std::size_t most);
 
 }  // namespace polhode::demos

@@ -20,7 +20,7 @@ bool Scenario::has_rotors() const {
 
 std::int64_t step_count(double dt, double duration) {
   const double steps = duration / dt;
-  // 1 s in steps of 1/60 s written with few digits may come to a little under a whole number of steps.
+  // 1 s in steps of 1/60 s written with few digits may give slightly less than a whole number of steps.
   constexpr double kRoundingSlack = 1e-6;
   if (!(steps >= 1.0 - kRoundingSlack && steps <= kMostSteps)) {
     throw std::invalid_argument("duration / dt must be between 1 and " + number_text(kMostSteps) +

@@ -11,8 +11,9 @@
 #include "scenario/drive.h"
 #include "scenario/range.h"
 
-/// The content of a scenario file, in SI units, with the defaults of its keys, which are in scenario_keys.h. Frames: W the
-/// world, B the body (origin in its centre of mass, axes along its principal axes).
+/// The content of a scenario file, in SI units. scenario_keys.h lists the keys; the members have their
+/// defaults. Frames: W is the world, B the body (origin in its centre of mass, axes along its principal
+/// axes).
 namespace polhode::demos {
 
 struct Sphere {
@@ -25,8 +26,7 @@ struct Box {
   Vector3 half_extents = Vector3::Zero();
 };
 
-/// A box that is part of a compound. The compound's own frame is re-based to its centre of mass and principal
-/// axes.
+/// A box that is part of a compound. The compound's frame is moved to its centre of mass and principal axes.
 struct BoxPart {
   Vector3 half_extents = Vector3::Zero();
   Vector3 at = Vector3::Zero();
@@ -46,14 +46,14 @@ struct Impulse {
   Vector3 at_W = Vector3::Zero();
 };
 
-/// The part of the velocity that is lost in a second.
+/// The fraction of the velocity that is lost in a second.
 struct Damping {
   double linear = 0.0;
   double angular = 0.0;
 };
 
 struct Body {
-  std::optional<Vector3> inertia_B;  ///< principal moments; empty: those of the shape
+  std::optional<Vector3> inertia_B;  ///< principal moments; empty for those of the shape
   double mass = 1.0;
   Shape shape;
   Vector3 position_W = Vector3::Zero();
@@ -75,16 +75,16 @@ struct Ground {
   double restitution = 0.0;
 };
 
-/// Ties a point of the body to where it is in the world at the start.
+/// Fixes a point of the body to its initial place in the world.
 struct PointToPoint {
   static constexpr char kKind[] = "point_to_point";
   Vector3 pivot_B = Vector3::Zero();
 };
 
 struct Scenario {
-  std::string name;  ///< one printable line, as the description
+  std::string name;  ///< one printable line, like the description
   std::string description;
-  Body body;  ///< the one that is recorded
+  Body body;  ///< the recorded body
   std::vector<Body> others;
   Vector3 gravity_W = Vector3::Zero();
   Vector3 torque_W = Vector3::Zero();      ///< constant, on `body`
@@ -94,24 +94,24 @@ struct Scenario {
   double dt = 0.0;
   double duration = 0.0;
 
-  /// Returns true if nothing can touch `body` or exert a torque on it about its centre of mass, and its rotors, if it
-  /// has some, keep their momentum. Gravity exerts no torque.
+  /// Returns true if nothing can touch `body` or exert a torque on it about its centre of mass, and its
+  /// rotors, if any, keep their momentum. Gravity exerts no torque.
   bool is_torque_free() const;
-  /// Returns true if a body has rotors, from the start or later.
+  /// Returns true if a body has rotors at any time.
   bool has_rotors() const;
 };
 
-/// Limits the spheres, boxes and parts of compounds in a world: where all of them overlap, Bullet keeps contacts
-/// for every pair.
+/// Limits the number of spheres, boxes and parts of compounds in a world: if all of them overlap, Bullet
+/// keeps contacts for every pair.
 inline constexpr std::size_t kMostShapes = 200;
 
-/// Bullet takes a step under its single-precision epsilon, 1.2e-7 s, for none at all.
+/// Bullet ignores steps shorter than its single-precision epsilon, 1.2e-7 s.
 inline constexpr Range kDtRange{1e-6, 1e3};
 inline constexpr Range kDurationRange{1e-6, 1e11};
 inline constexpr double kMostSteps = 1e8;
 
-/// duration / dt, rounded to the nearest whole number of steps.
-/// @throws std::invalid_argument if that is less than one step or more than kMostSteps.
+/// Returns duration / dt, rounded to the nearest whole number of steps.
+/// @throws std::invalid_argument if that is less than one step or more than kMostSteps
 std::int64_t step_count(double dt, double duration);
 
 }  // namespace polhode::demos

@@ -12,7 +12,7 @@ namespace polhode::demos {
 
 namespace {
 
-// A scenario has some dozen lines; this is for a file given by mistake.
+// A scenario has some dozen lines; the limit catches a file given by mistake.
 constexpr std::size_t kLargestFile = 1 << 20;
 
 }  // namespace
@@ -27,7 +27,7 @@ void check(CheckedObject& object, const MotorTorque& torque) {
                            number_text(torque.until_s));
 }
 
-// The mass of a compound is the sum of its parts'; given as well, it must agree.
+// The mass of a compound is the sum of its parts' masses; if it is given too, it must agree.
 void check(CheckedObject& object, Body& body) {
   const auto* compound = std::get_if<Compound>(&body.shape);
   if (compound == nullptr) return;

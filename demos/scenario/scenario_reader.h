@@ -8,11 +8,11 @@
 
 namespace polhode::demos {
 
-/// The scenario in a file. Without a "name" it is called like the file.
+/// Reads the scenario in a file. Without a "name" it gets the file's name.
 /// @throws ScenarioError
 Scenario read_scenario(const std::filesystem::path& file);
 
-/// The scenario in a JSON text; `file_name` is for messages.
+/// Reads the scenario in a JSON text; `file_name` is for messages.
 /// @throws ScenarioError
 Scenario parse_scenario(const std::string& text, const std::string& file_name);
 

@@ -6,7 +6,7 @@
 
 namespace polhode::demos {
 
-/// The scenario with every default spelled out; reads back as the same scenario.
+/// Returns the scenario with all defaults written out; reads back as the same scenario.
 nlohmann::ordered_json scenario_json(Scenario scenario);
 
 }  // namespace polhode::demos

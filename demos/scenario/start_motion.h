@@ -9,9 +9,8 @@ struct StartMotion {
   Vector3 velocity_W;
 };
 
-/// Returns the body's motion at the start: the velocities that the file gives, and what the impulses add to
-/// them.
-/// @throws std::invalid_argument if the impulses make it faster than a scenario may say.
+/// Returns the body's initial motion: the velocities in the file plus the effect of the impulses.
+/// @throws std::invalid_argument if the impulses make the body faster than a scenario allows
 StartMotion start_motion(const Body& body, const Vector3& inertia_B);
 
 }  // namespace polhode::demos

@@ -10,7 +10,7 @@ namespace {
 
 using namespace polhode::demos;
 
-/// With an ear for Ctrl-C: a million steps take their time.
+/// Checks for Ctrl-C, since a million steps take long.
 void run_to(Session& session, std::int64_t step) {
   constexpr std::int64_t kStepsAtOnce = 1000;
   while (session.simulation().shown_step() < step) {

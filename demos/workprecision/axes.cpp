@@ -15,13 +15,13 @@ double part(std::int64_t i, std::int64_t count) {
 
 double LogarithmicAxis::at(std::int64_t i) const {
   if (i == 0) return from;
-  if (i == count - 1) return to;  // without rounding
+  if (i == count - 1) return to;  // avoids rounding
   return from * std::pow(to / from, part(i, count));
 }
 
 double LinearAxis::at(std::int64_t i) const {
   if (i == 0) return from;
-  if (i == count - 1) return to;  // without rounding
+  if (i == count - 1) return to;  // avoids rounding
   return from + (to - from) * part(i, count);
 }
 

@@ -2,10 +2,10 @@
 
 #include <cstdint>
 
-/// The values that a map goes through, both ends included.
+/// The values along an axis of a map, both ends included.
 namespace polhode::demos {
 
-/// Equally far apart in their logarithm.
+/// Values with equal spacing of their logarithms.
 struct LogarithmicAxis {
   double from;
   double to;
@@ -14,7 +14,7 @@ struct LogarithmicAxis {
   double at(std::int64_t i) const;
 };
 
-/// Equally far apart.
+/// Values with equal spacing.
 struct LinearAxis {
   double from;
   double to;

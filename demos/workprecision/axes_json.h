@@ -6,7 +6,7 @@
 
 namespace polhode::demos {
 
-/// [from, to, count]
+/// Returns [from, to, count].
 template <class Axis>
 nlohmann::ordered_json axis_json(const Axis& axis) {
   return {axis.from, axis.to, axis.count};

@@ -10,7 +10,7 @@ namespace polhode::demos {
 
 namespace {
 
-// btSequentialImpulseConstraintSolver::convertBodies adds this to the angular velocity.
+// Returns what btSequentialImpulseConstraintSolver::convertBodies adds to the angular velocity.
 template <BulletMode mode>
 btVector3 gyroscopic_change_W(const btRigidBody& body, btScalar dt, btScalar greatest_torque) {
   if constexpr (mode == BulletMode::explicit_force) {

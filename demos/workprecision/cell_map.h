@@ -17,16 +17,16 @@ struct CellResult {
   static constexpr std::size_t kMostFigures = 3;
 
   std::int64_t index;
-  std::array<double, kMostFigures> figures;  ///< finite; the map says what they are, and 0 is in the others
-  std::int64_t diverged_step;                ///< 0: none
+  std::array<double, kMostFigures> figures;  ///< finite; the map defines their meaning, the others are 0
+  std::int64_t diverged_step;                ///< 0 if none failed
 };
 
 inline bool diverged(const CellResult& result) {
   return result.diverged_step > 0;
 }
 
-/// A map that has the same cells for each contender, among them one for each |omega| dt and inertia ratio.
-/// The cells can be computed one by one, in any order, by any rank and thread.
+/// A map that has the same cells for each contender, including one for each |omega| dt and inertia ratio. The
+/// cells can be computed one by one, in any order, by any rank and thread.
 class CellMap {
  public:
   std::vector<Contender> contenders;
@@ -42,7 +42,7 @@ class CellMap {
   CellMap& operator=(CellMap&&) = default;
   virtual ~CellMap() = default;
 
-  /// The cells are indexed contender by contender.
+  /// Cells are indexed contender by contender.
   std::int64_t cell_count() const { return static_cast<std::int64_t>(contenders.size()) * cells_of_each(); }
   /// Returns the number of cells of one contender.
   virtual std::int64_t cells_of_each() const = 0;
@@ -51,7 +51,7 @@ class CellMap {
   /// @throws Interrupted
   virtual CellResult computed(std::int64_t index) const = 0;
 
-  /// Returns everything that the results depend on, this program's version included, in one line of JSON.
+  /// Returns everything that the results depend on, including the program's version, in one line of JSON.
   virtual std::string description() const = 0;
   /// Returns the number of cells that keep a thread busy for some 0.1 s.
   virtual std::int64_t cells_in_round() const = 0;

@@ -12,7 +12,8 @@ namespace polhode::demos {
 
 namespace {
 
-/// The cells that threads take one by one. A result has its place, whichever thread computes it.
+/// Distributes cells to threads one by one. The place of a result does not depend on the thread that computes
+/// it.
 class CellQueue {
  public:
   CellQueue(const CellMap& map, const std::vector<std::int64_t>& cells)
@@ -56,7 +57,7 @@ std::vector<CellResult> computed_by_threads(const CellMap& map, const std::vecto
   try {
     while (helpers.size() + 1 < std::min(threads, cells.size())) helpers.emplace_back([&] { queue.work(); });
   } catch (const std::system_error&) {
-    // No more threads to be had: those that there are do the work.
+    // No more threads available: the existing ones do the work.
   }
   queue.work();
   for (std::thread& helper : helpers) helper.join();

@@ -7,10 +7,11 @@
 
 namespace polhode::demos {
 
-/// The threads of one rank: those asked for, or without a wish one per core, of several ranks one each.
+/// Returns the number of threads of one rank: as asked for, or else one per core, and one if there are
+/// several ranks.
 std::size_t thread_count(std::int64_t wish, int ranks);
 
-/// The results of these cells, in their order. What one thread throws ends all of them.
+/// Returns the results of these cells, in their order. An exception in one thread ends all of them.
 /// @throws Interrupted
 std::vector<CellResult> computed_by_threads(const CellMap& map, const std::vector<std::int64_t>& cells,
                                             std::size_t threads);

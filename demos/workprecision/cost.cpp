@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::int64_t kStepsAtMost = 1000;
 
-// Keeps the kernels that the laps point to.
+// Owns the kernels that the laps point to.
 class Laps {
  public:
   explicit Laps(const CostOptions& options) : options_(options) {

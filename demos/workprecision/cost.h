@@ -9,18 +9,18 @@
 
 namespace polhode::demos {
 
-/// The cost of a contender's step, in free motion and with a kick in every step. There is none where the body
-/// blew up within a few steps.
+/// The cost of a contender's step, in free motion and with a kick in every step. Absent if the body diverges
+/// within a few steps.
 struct ContenderCost {
   std::string contender;
   std::optional<Cost> free;
   std::optional<Cost> kicked;
 };
 
-/// Does what the options say, files included.
+/// Runs the measurement that the options describe and writes its files.
 std::vector<ContenderCost> costs(const CostOptions& options);
 
-/// The results as text; docs/work_precision.md documents columns and keys.
+/// Return the results as text; docs/work_precision.md documents columns and keys.
 std::string cost_table(const std::vector<ContenderCost>& costs);
 std::string cost_csv(const std::vector<ContenderCost>& costs);
 std::string cost_json(const std::vector<ContenderCost>& costs);

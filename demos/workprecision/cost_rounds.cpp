@@ -10,7 +10,7 @@ namespace polhode::demos {
 
 namespace {
 
-// Some 0.1 to 1 ms: long beside a reading of the clock, short beside a time slice of the scheduler.
+// Some 0.1 to 1 ms: long compared with reading the clock, short compared with a time slice of the scheduler.
 constexpr std::int64_t kStepsPerRound = 1000;
 
 double ns_per_step(const Lap& lap) {

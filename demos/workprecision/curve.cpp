@@ -41,8 +41,8 @@ std::string declared_order(const Contender& contender) {
   return mode != nullptr && *mode == BulletMode::none ? "-" : "1";
 }
 
-// Returns the error at the end against the exact motion from the kernel's own start: Bullet's rounding of the
-// start is no error of its step.
+// Returns the final error against the exact motion from the kernel's own start, so that Bullet's rounding of
+// the start does not count.
 std::optional<double> attitude_error_rad(Kernel& kernel, const Motion& motion) {
   if (motion.diverged) return std::nullopt;
   const Quaternion q_WB = kernel.state().q_WB;
@@ -67,12 +67,12 @@ CurvePoint measured_point(const Contender& contender, Kernel& kernel, std::int64
 
 void add_observed_order(CurvePoint& point, const CurvePoint& at_twice_the_dt) {
   constexpr double kRoundingError = 1e-12;  // rad
-  // A missing error is less than any.
+  // A missing error compares as less than any number.
   if (std::min(point.attitude_error_rad, at_twice_the_dt.attitude_error_rad) < kRoundingError) return;
   point.observed_order = std::log2(*at_twice_the_dt.attitude_error_rad / *point.attitude_error_rad);
 }
 
-// A ladder of time steps for one contender, its kernels kept to be timed.
+// The time steps of one contender; keeps the kernels for the cost measurement.
 class Ladder {
  public:
   Ladder(const CurveOptions& options, const FreeBody& body)

@@ -10,16 +10,16 @@
 
 namespace polhode::demos {
 
-/// One contender at one time step.
+/// Results of one contender at one time step.
 struct CurvePoint {
   std::string contender;
-  std::string declared_order;  ///< "2", "exact"; of Bullet's own "1", and "-" without a gyroscopic term
+  std::string declared_order;  ///< "2", "exact"; for Bullet "1", or "-" without a gyroscopic term
   double dt_s = 0.0;
   std::int64_t steps = 0;
-  double worst_energy_error = 0.0;  ///< up to the divergence, if there was one
+  double worst_energy_error = 0.0;  ///< up to the divergence, if there is one
   std::optional<double> diverged_at_s;
-  std::optional<double> attitude_error_rad;  ///< at the end; none if it diverged
-  /// log2 of the attitude error at twice the time step over that at this one; none where rounding rules.
+  std::optional<double> attitude_error_rad;  ///< at the end; none if the body diverged
+  /// log2 of the attitude error at twice the time step over that at this one; none where rounding dominates.
   std::optional<double> observed_order;
   std::optional<Cost> cost;
 
@@ -32,8 +32,8 @@ struct Curve {
   std::vector<CurvePoint> points;  ///< contender by contender, from the largest time step to the smallest
 };
 
-/// Does what the options say, files included.
-/// @throws std::exception that says what is wrong and what is valid; then no file was written.
+/// Runs the measurement that the options describe and writes its files.
+/// @throws std::exception that says what is wrong and what is valid; no file is written then
 Curve curve(const CurveOptions& options);
 
 }  // namespace polhode::demos

@@ -4,7 +4,7 @@
 
 #include "workprecision/curve.h"
 
-/// A curve as text; docs/work_precision.md documents columns and keys.
+/// Return a curve as text; docs/work_precision.md documents columns and keys.
 namespace polhode::demos {
 
 std::string curve_table(const Curve& curve);

@@ -8,18 +8,18 @@
 
 namespace polhode::demos {
 
-/// A body that nothing touches, at its start.
+/// A free body at its start.
 struct FreeBody {
   Vector3 inertia_B{1.0, 2.0, 3.0};
   Quaternion q_WB = Quaternion::Identity();
   Vector3 omega_W{3.0, 2.0, 4.0};
 };
 
-/// Selects whether every step also takes in a change by others, as by a contact. The kick is too small to
-/// alter the motion, but cannot be skipped.
+/// Selects whether the body is kicked in every step, as by a contact. The kick is too small to alter the
+/// motion, but the kernel cannot skip it.
 enum class Kick { none, every_step };
 
-/// One contender's own step of one body and nothing else: no world, no solver, no collisions.
+/// One contender's step of one body, without world, solver and collisions.
 class Kernel {
  public:
   Kernel() = default;
@@ -27,12 +27,12 @@ class Kernel {
   Kernel& operator=(const Kernel&) = delete;
   virtual ~Kernel() = default;
 
-  /// Back to the start.
+  /// Goes back to the start.
   virtual void restart() = 0;
   virtual void run(std::int64_t steps) = 0;
   virtual RotationState state() const = 0;
 
-  /// The moments and the time step that it really has: Bullet's are rounded.
+  /// Return the moments and the time step after Bullet's rounding.
   virtual Vector3 inertia_B() const = 0;
   virtual double dt_s() const = 0;
 };
@@ -46,12 +46,11 @@ std::unique_ptr<Kernel> make_kernel(const Contender& contender, const FreeBody& 
 std::unique_ptr<Kernel> make_scheme_kernel(const SchemePointer& scheme, const FreeBody& body, double dt_s,
                                            Kick kick);
 
-/// Makes a kernel that does to the rotation of a free body what btDiscreteDynamicsWorld does with this
-/// gyroscopic flag, bit for bit.
+/// Makes a kernel that rotates a free body as btDiscreteDynamicsWorld does with this gyroscopic flag, bit for
+/// bit.
 std::unique_ptr<Kernel> make_bullet_kernel(BulletMode mode, const FreeBody& body, double dt_s, Kick kick);
 
-/// Makes a kernel that does to the rotation of a free multibody without links what btMultiBodyDynamicsWorld
-/// does, bit for bit.
+/// Makes a kernel that rotates a free multibody without links as btMultiBodyDynamicsWorld does, bit for bit.
 std::unique_ptr<Kernel> make_multibody_kernel(const FreeBody& body, double dt_s, Kick kick);
 
 }  // namespace polhode::demos

@@ -1,5 +1,5 @@
-// Sets errors, costs and limits of stability of the schemes and of Bullet's modes side by side. Built once
-// for each of Bullet's precisions.
+// Compares errors, costs and limits of stability of the schemes and of Bullet's modes. Built for each of
+// Bullet's precisions.
 #include <iostream>
 #include <streambuf>
 
@@ -15,7 +15,7 @@ namespace {
 
 using namespace polhode::demos;
 
-/// Swallows what a rank other than the first would print too.
+/// Discards the output of all ranks but the first.
 class SilentOutput : public std::streambuf {
  public:
   explicit SilentOutput(bool silent) : before_(silent ? std::cout.rdbuf(this) : nullptr) {}
@@ -39,7 +39,7 @@ void work(int argument_count, char** arguments, Ranks& ranks) {
   if (const JointsOptions* joints = std::get_if<JointsOptions>(&*options)) {
     return make_map(joints->grid, joints->run, ranks);
   }
-  // The remaining commands time one core, which more ranks would only disturb.
+  // The remaining commands measure one core; more ranks would disturb them.
   if (!ranks.is_first()) return;
   if (const CostOptions* cost = std::get_if<CostOptions>(&*options)) return print(cost_table(costs(*cost)));
   print(curve_table(curve(std::get<CurveOptions>(*options))));

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Ranks exchange bytes: the machines are taken to be alike.
+// Ranks exchange bytes, which requires machines of the same kind.
 template <class Item>
 std::string to_bytes(const std::vector<Item>& items) {
   static_assert(std::is_trivially_copyable_v<Item>, "sent byte by byte");
@@ -38,7 +38,7 @@ fs::path journal_path(const Outputs& outputs) {
   return path;
 }
 
-/// The journal and the results so far, which rank 0 alone holds.
+/// The journal and the results so far, held by rank 0 only.
 class MapRecord {
  public:
   MapRecord(const CellMap& map, const MapRun& run)
@@ -102,8 +102,8 @@ void compute_all(const CellMap& map, const MapRun& run, Ranks& ranks, std::optio
   if (record) bytes = to_bytes(record->cells_to_do());
   const std::vector<std::int64_t> cells = from_bytes<std::int64_t>(ranks.broadcast(bytes));
   const std::size_t threads = thread_count(run.threads, ranks.count());
-  // Short enough that a kill costs little and one slow rank does not hold the others up for long. Every rank
-  // the same, or they would not go through the same rounds.
+  // Rounds are short, so that a kill costs little and one slow rank does not delay the others for long. All
+  // ranks use the same size, since they must go through the same rounds.
   const std::size_t wish = threads * static_cast<std::size_t>(map.cells_in_round());
   const std::size_t size =
       from_bytes<std::size_t>(ranks.broadcast(to_bytes(std::vector<std::size_t>{wish})))[0];

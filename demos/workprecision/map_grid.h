@@ -10,11 +10,12 @@
 namespace polhode::demos {
 
 enum class SpinStart {
-  middle_axis,  ///< 0.01 rad beside the middle axis, about which no spin is stable
+  middle_axis,  ///< 0.01 rad from the middle axis, about which no spin is stable
   generic,      ///< along (3, 2, 4) in body axes
 };
 
-/// Has for each contender a cell for each pair of |omega| dt and inertia ratio, |omega| dt by |omega| dt.
+/// A map with a cell for each contender and each pair of |omega| dt and inertia ratio, ordered by |omega| dt
+/// first.
 struct MapGrid : CellMap {
   MapGrid() : CellMap({}, {0.01, 3.0, 48}, {1.1, 20.0, 24}) {}
 
@@ -22,7 +23,7 @@ struct MapGrid : CellMap {
   SpinStart start = SpinStart::middle_axis;
 
   std::int64_t cells_of_each() const override { return omega_dt.count * inertia_ratio.count; }
-  /// The largest |E/E0 - 1|, up to the divergence if there was one.
+  /// Largest |E/E0 - 1|, up to the divergence if there is one.
   std::size_t figure_count() const override { return 1; }
   CellResult computed(std::int64_t index) const override;
   std::string description() const override;
@@ -44,12 +45,12 @@ struct MapCell {
 
 MapCell cell_at(const MapGrid& grid, std::int64_t index);
 
-/// The step is 1/60 s in every cell, and I_1 is 1 kg m^2. This matters to contenders that are not free of
-/// scale, such as Bullet's capped explicit torque.
+/// The step is 1/60 s in every cell, and I_1 is 1 kg m^2. This matters to contenders that depend on the
+/// scale, such as Bullet's limited explicit torque.
 inline constexpr double kMapTimeStep = 1.0 / 60.0;  // s
 
-/// Returns the moments of a body that can exist, with I_1 = 1 kg m^2: I_2 is in the middle of the range that
-/// the triangle inequality leaves between I_1 and I_3.
+/// Returns physically possible moments with I_1 = 1 kg m^2: I_2 is the middle of the range that the triangle
+/// inequality allows between I_1 and I_3.
 Vector3 moments_of(double inertia_ratio);
 
 FreeBody body_of(const MapCell& cell, SpinStart start);

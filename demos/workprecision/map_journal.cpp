@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestHeader = 1 << 16;  // the description of a map has some hundred bytes
+constexpr std::size_t kLongestHeader = 1 << 16;  // a description has some hundred bytes
 constexpr std::size_t kLongestLine = 128;        // two whole numbers and three figures
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
@@ -44,7 +44,8 @@ bool read_number(const char*& at, const char* end, Number& number, char after) {
   return true;
 }
 
-// The cell that a line holds, its newline included; nothing if it is torn, or of no run.
+// Returns the cell in a line that ends in a newline; nothing if the line is incomplete or of no cell of the
+// map.
 std::optional<CellResult> cell_in(const std::string& line, const CellMap& map) {
   CellResult result{};
   const char* at = line.data();
@@ -58,14 +59,14 @@ std::optional<CellResult> cell_in(const std::string& line, const CellMap& map) {
   return result;
 }
 
-// "steps is 1000 there and 500 here"
+// Returns for example "steps is 1000 there and 500 here".
 std::string difference(const std::string& there, const std::string& here) {
   constexpr std::size_t kLongestValue = 1000;
   nlohmann::json a;
   try {
     a = parse_json(there, "");
   } catch (const ScenarioError&) {
-    // Left without any key.
+    // Invalid JSON has no keys to compare.
   }
   if (!a.is_object()) return "it is no journal of a map";
   std::string text;
@@ -101,7 +102,7 @@ MapJournal::MapJournal(const fs::path& file, const CellMap& map, bool restart)
 }
 
 MapJournal::~MapJournal() {
-  ::close(descriptor_);  // and unlocks it
+  ::close(descriptor_);  // also unlocks it
 }
 
 void MapJournal::open(bool restart) {
@@ -124,7 +125,7 @@ void MapJournal::read(const CellMap& map) {
   std::ifstream lines = opened(path_);
   std::string line;
   read_line(lines, kLongestHeader, line);
-  // Killed before its first line was whole: it holds nothing yet.
+  // The run was killed before its first line was complete: the journal is empty.
   if (lines.eof() && header.compare(0, line.size(), line) == 0) return start_over(header + "\n");
   if (line != header) {
     fail(path_,

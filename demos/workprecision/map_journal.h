@@ -8,13 +8,14 @@
 
 namespace polhode::demos {
 
-/// The finished cells of a map under way, so that a killed run can be continued: a text file, whose first
-/// line describes the map and each other a cell. Cells are appended in batches; what a kill has torn at the
-/// end is computed again. Only one run at a time may hold it.
+/// The finished cells of an unfinished map, so that a killed run can be resumed: a text file whose first line
+/// describes the map and whose other lines hold a cell each. Cells are appended in batches; an incomplete
+/// line at the end is ignored, and its cell computed again. Only one run at a time can hold the journal.
 class MapJournal {
  public:
-  /// Goes on with the file if it is there, or starts it.
-  /// @throws std::runtime_error that says what to do: it is another map's, in use, or cannot be written.
+  /// Opens the file, or creates it.
+  /// @throws std::runtime_error that says what to do if the journal is that of another map, in use, or not
+  /// writable
   MapJournal(const std::filesystem::path& file, const CellMap& map, bool restart);
   ~MapJournal();
   MapJournal(const MapJournal&) = delete;
@@ -23,7 +24,7 @@ class MapJournal {
   /// Returns the results that the file held when it was opened.
   const std::vector<CellResult>& finished() const { return finished_; }
   void append(const std::vector<CellResult>& results);
-  /// Once the map itself is written.
+  /// Deletes the journal. Call this once the map is written.
   void remove();
 
  private:

@@ -6,14 +6,14 @@
 
 namespace polhode::demos {
 
-/// A kernel's run from the start, step by step, to its end or to the divergence.
+/// The results of a kernel's run from the start, to its end or to the divergence.
 struct Motion {
-  std::int64_t steps = 0;           ///< that went well
-  bool diverged = false;            ///< the next one did not: not finite, too fast or too swollen
-  double worst_energy_error = 0.0;  ///< the largest |E/E0 - 1|
+  std::int64_t steps = 0;           ///< completed steps
+  bool diverged = false;            ///< the next step failed: not finite, too fast or too swollen
+  double worst_energy_error = 0.0;  ///< largest |E/E0 - 1|
 };
 
-/// The body must spin. The kernel is left where the motion ended.
+/// Requires a spinning body. Leaves the kernel where the motion ended.
 /// @throws Interrupted
 Motion follow(Kernel& kernel, std::int64_t steps);
 

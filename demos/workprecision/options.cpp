@@ -17,7 +17,7 @@ constexpr Range kLevelRange{1, 30};
 constexpr Range kRoundRange{1, 1e6};
 constexpr Range kOmegaDtRange{1e-6, 1e3};
 constexpr Range kRatioRange{1.0, 1e6};
-constexpr Range kJointOmegaDtRange{1e-4, 3.1};  // below a half turn, which has no direction
+constexpr Range kJointOmegaDtRange{1e-4, 3.1};  // below half a turn, which has no direction
 constexpr Range kTiltRange{0.0, 3.1415926535897931};
 constexpr Range kJointDtRange{1e-5, 0.5};
 constexpr Range kJointTimeRange{2.0, 1000.0};
@@ -27,7 +27,7 @@ constexpr Range kThreadRange{1, 1024};
 
 using Texts = std::vector<std::string>;
 
-/// The options of one subcommand: CLI11 gathers the texts, `read` turns them into values afterwards.
+/// The options of one subcommand. CLI11 collects the texts; `read` converts them to values afterwards.
 class Subcommand {
  public:
   Subcommand(CLI::App& app, const std::string& name, const std::string& summary)
@@ -70,7 +70,7 @@ class Subcommand {
         [&value](const Texts& texts) { value = find_contenders(texts); })
         ->allow_extra_args(false);
     checks_.emplace_back([&value] {
-      if (value.empty()) value = all_contenders();  // now, when scheme libraries are loaded
+      if (value.empty()) value = all_contenders();  // scheme libraries are loaded by now
     });
   }
 

@@ -12,16 +12,16 @@
 
 namespace polhode::demos {
 
-/// The files that a command writes, besides stdout.
+/// The files that a command writes besides stdout.
 struct Outputs {
   std::optional<std::filesystem::path> csv;
   std::optional<std::filesystem::path> json;
 };
 
-/// Error against cost over a ladder of time steps.
+/// Options of `curve`: error against cost for a series of time steps.
 struct CurveOptions {
   FreeBody body;
-  std::optional<std::string> scenario;  ///< in place of `body`
+  std::optional<std::string> scenario;  ///< replaces `body`
   std::vector<Contender> contenders;
   double time_s = 10.0;
   double dt_from_s = 1.0 / 15.0;
@@ -38,9 +38,9 @@ struct CostOptions {
   Outputs outputs;
 };
 
-/// How a map is computed and where it is written. The cells do not depend on it.
+/// How a map is computed and where it is written. The cells do not depend on this.
 struct MapRun {
-  std::int64_t threads = 0;  ///< 0: as many as there are cores, or one under MPI
+  std::int64_t threads = 0;  ///< 0: one per core, or one with MPI
   bool restart = false;
   Outputs outputs;
 };

@@ -8,8 +8,8 @@
 
 namespace polhode::demos {
 
-/// The CSV and the JSON file of a run, where asked for. That they can be written is found out when this is
-/// made; they appear when they are written.
+/// The CSV and the JSON file of a run, if asked for. The constructor checks that they can be written; they
+/// appear when write() has finished.
 class OutputFiles {
  public:
   OutputFiles(const std::optional<std::filesystem::path>& csv,

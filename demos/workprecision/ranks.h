@@ -6,8 +6,8 @@
 
 namespace polhode::demos {
 
-/// The processes that work on one task: those that mpirun started, or this one alone. Two files implement it,
-/// ranks_single.cpp and ranks_mpi.cpp; CMake takes one of them.
+/// The processes that work on one task: those started by mpirun, or this one alone. Two files implement it,
+/// ranks_single.cpp and ranks_mpi.cpp; CMake chooses one of them.
 class Ranks {
  public:
   Ranks(int& argument_count, char**& arguments);
@@ -19,19 +19,19 @@ class Ranks {
   int count() const;
   bool is_first() const { return rank() == 0; }
 
-  /// Returns on rank 0 the bytes of every rank, in their order; elsewhere nothing. All ranks must call it
-  /// together.
+  /// Returns on rank 0 the bytes of every rank, in rank order, and nothing on the other ranks. All ranks must
+  /// call it together.
   std::vector<std::string> gather(const std::string& bytes);
-  /// Rank 0's bytes, on every rank.
+  /// Returns rank 0's bytes on every rank.
   std::string broadcast(std::string bytes);
 
-  /// Does this on each rank. If it throws on one rank, all ranks throw the same, so that none is left waiting
+  /// Calls the function on each rank. If it throws on one rank, all ranks throw the same, so that none waits
   /// for another.
   void together(const std::function<void()>& action);
-  /// An exception from together() is under way on all ranks.
+  /// Returns true while all ranks handle an exception from together().
   bool stopped_together() const { return stopped_together_; }
 
-  /// Ends all ranks with that exit code, at once; does nothing where there is one only.
+  /// Ends all ranks at once with this exit code. Does nothing if there is only one.
   void end_all(int exit_code);
 
  private:

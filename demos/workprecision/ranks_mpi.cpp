@@ -1,4 +1,5 @@
-// The processes that mpirun started. An error inside MPI ends all of them, which is MPI's default.
+// Implements Ranks for the processes started by mpirun. An error inside MPI ends all of them, which is MPI's
+// default.
 #include <mpi.h>
 
 #include <numeric>
@@ -10,7 +11,7 @@ namespace polhode::demos {
 
 namespace {
 
-// MPI counts in int.
+// MPI counts with int.
 int checked_size(std::size_t size) {
   if (size > 0x7fffffff) throw std::length_error("more than 2 GiB in one message");
   return static_cast<int>(size);
@@ -19,7 +20,7 @@ int checked_size(std::size_t size) {
 }  // namespace
 
 Ranks::Ranks(int& argument_count, char**& arguments) {
-  // The threads that compute do not call MPI.
+  // The computing threads do not call MPI.
   int provided = MPI_THREAD_SINGLE;
   MPI_Init_thread(&argument_count, &arguments, MPI_THREAD_FUNNELED, &provided);
 }

@@ -1,4 +1,4 @@
-// Ranks of a program without MPI: a single process.
+// Implements Ranks for a program without MPI: a single process.
 #include "workprecision/ranks.h"
 
 namespace polhode::demos {

@@ -7,8 +7,8 @@ namespace polhode::demos {
 
 namespace {
 
-// Describes as text how an action ended: empty if well, else the signal that interrupted it, or 0, and the
-// message.
+// Describes as text how an action ended: empty for success, else the signal that interrupted it, or 0, and
+// the message.
 std::string outcome_of(const std::function<void()>& action) {
   try {
     action();

@@ -15,9 +15,9 @@ namespace polhode::demos {
 
 class ScenarioWorld;
 
-/// Measures the distance of a sample from the exact motion. The exact motion starts from the body's own
-/// values, with the moments and the time step that it really has: Bullet's rounding of the scenario is no
-/// error of the contender's.
+/// Measures the angle between a sample and the exact motion. The exact motion starts from the body's own
+/// state and uses its moments and time step, so that Bullet's rounding of the scenario does not count as an
+/// error.
 class AttitudeReference {
  public:
   AttitudeReference(const Scenario& scenario, const ScenarioWorld& world, const Sample& start);
@@ -25,7 +25,8 @@ class AttitudeReference {
   AttitudeReference(AttitudeReference&&) noexcept;
   AttitudeReference& operator=(AttitudeReference&&) noexcept;
 
-  /// Sets the sample's attitude error, where the exact motion is known. Samples must come in the order of their steps.
+  /// Sets the sample's attitude error if the exact motion is known. Samples must come in the order of their
+  /// steps.
   void compare(Sample& sample);
 
  private:

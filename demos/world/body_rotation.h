@@ -6,10 +6,10 @@
 #include "polhode/rotation_math.h"
 #include "world/conversions.h"
 
-/// Reads the rotation of a body that Bullet rotates, in double precision.
+/// Reads the rotation of a body in a plain Bullet world, in double precision.
 namespace polhode::demos {
 
-/// Returns its moments of inertia as Bullet has rounded them: Bullet keeps their inverses.
+/// Returns the moments of inertia as rounded by Bullet, which stores their inverses.
 inline Vector3 inertia_of(const btRigidBody& body) {
   return from_bullet(body.getInvInertiaDiagLocal()).cwiseInverse();
 }
@@ -26,7 +26,7 @@ inline Vector3 inertia_of(const btMultiBody& multibody) {
   return from_bullet(multibody.getBaseInertia());
 }
 
-/// A multibody keeps a quaternion, which turns the world's coordinates into the body's, and no basis.
+/// Returns the rotation of a multibody, which stores the quaternion from world to body and no basis.
 inline RotationState rotation_of(const btMultiBody& multibody) {
   RotationState state;
   set_orientation(state, from_bullet(multibody.getWorldToBaseRot().inverse()).normalized());

@@ -30,8 +30,8 @@ BodyShape bullet_shape(const Box& box, double mass) {
   return simple_shape(std::make_unique<btBoxShape>(to_bullet(box.half_extents)), mass);
 }
 
-// The parts are first put where the scenario says, to have Bullet find the centre of mass and the principal
-// axes, and then where they are in that frame, which is the body's.
+// Adds the parts as the scenario places them, lets Bullet find the centre of mass and the principal axes, and
+// then moves the parts to that frame, which is the body's.
 BodyShape bullet_shape(const Compound& compound, double /*mass*/) {
   BodyShape result;
   btCompoundShape as_given;
@@ -72,7 +72,7 @@ DrawnBody drawn(const btCompoundShape& compound) {
 
 void resolve(Body& body) {
   body.inertia_B = make_shape(body).inertia_B;
-  start_motion(body, *body.inertia_B);  // throws if it cannot be run
+  start_motion(body, *body.inertia_B);  // throws if the start cannot be run
 }
 
 }  // namespace

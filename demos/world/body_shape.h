@@ -10,21 +10,21 @@
 
 namespace polhode::demos {
 
-/// A Bullet shape with what it needs to stay alive.
+/// A Bullet shape together with the objects that it refers to.
 struct BodyShape {
   std::vector<std::unique_ptr<btCollisionShape>> children;
   std::unique_ptr<btCollisionShape> shape;
-  Vector3 inertia_B;  ///< of the body: the scenario's, or else what Bullet computes for the shape
+  Vector3 inertia_B;  ///< of the body: the scenario's, or those that Bullet computes for the shape
 };
 
-/// @throws std::invalid_argument if the shape's inertia is out of kInertiaRange.
+/// @throws std::invalid_argument if the shape's inertia is out of kInertiaRange
 BodyShape make_shape(const Body& body);
 
-/// The same shape to be drawn, in the body's axes.
+/// Returns the same shape for drawing, in body axes.
 DrawnBody drawn_body(const Body& body);
 
-/// The scenario with the inertia of each body spelled out.
-/// @throws std::invalid_argument if it cannot be run, by make_shape or start_motion.
+/// Returns the scenario with the inertia of each body filled in.
+/// @throws std::invalid_argument if it cannot be run, as make_shape and start_motion
 Scenario resolved(Scenario scenario);
 
 }  // namespace polhode::demos

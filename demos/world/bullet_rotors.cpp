@@ -9,7 +9,7 @@ namespace polhode::demos {
 
 namespace {
 
-// The rest stays with the body, which needs some about each axis.
+// The rest stays with the body, which needs some inertia about each axis.
 constexpr double kPartInWheels = 0.8;
 
 bool needs_wheel(const Drive& drive, int axis) {

@@ -21,31 +21,32 @@ struct Wheel {
   Vector3 transverse_inertia_B() const;
 };
 
-/// The part of the body's mass that each of its wheels has.
+/// The fraction of the body's mass that each of its wheels has.
 inline constexpr double kWheelMass = 0.25;
 
-/// Returns a wheel for each axis that needs one: as large as the body's inertia lets it be, and so as slow as it can be
-/// for its momentum.
+/// Returns a wheel for each axis that needs one, as large as the body's inertia allows, and therefore as slow
+/// as possible for its momentum.
 std::vector<Wheel> wheels_for(const Drive& drive, const Vector3& inertia_B);
 
-/// Rotors as users of Bullet make them: wheels in the centre of mass, each a btRigidBody on a btHingeConstraint. They
-/// touch nothing. Their moments about their axes are not part of the body's inertia, as with the library's rotors.
+/// Rotors as a Bullet user would build them: wheels in the centre of mass, each a btRigidBody on a
+/// btHingeConstraint, without collisions. Their moments about their axes are not part of the body's inertia,
+/// as for the library's rotors.
 class BulletRotors {
  public:
-  /// The body must have its pose and velocity at the start already.
+  /// Requires a body with its initial pose and velocity.
   BulletRotors(ContenderWorld& world, btRigidBody& body, const Body& description,
                const std::vector<Wheel>& wheels);
   ~BulletRotors();
   BulletRotors(const BulletRotors&) = delete;
   BulletRotors& operator=(const BulletRotors&) = delete;
 
-  /// The momentum of each wheel about its axis, which the body's state has as its rotors'.
+  /// Returns the momentum of each wheel about its axis.
   Vector3 momentum_B() const;
-  /// The whole momentum of all wheels.
+  /// Returns the total angular momentum of all wheels.
   Vector3 angular_momentum_W() const;
-  /// Turns the wheels by this torque, and the body the other way, until the next step.
+  /// Applies this torque to the wheels, and the opposite one to the body, during the next step.
   void apply_torque(const Vector3& torque_B);
-  /// Bullet clears the force after the next step.
+  /// Applies a force during the next step.
   void apply_acceleration(const Vector3& acceleration_W);
 
  private:

@@ -10,8 +10,8 @@ namespace polhode::demos {
 
 namespace {
 
-// Few bodies touch at once. Bullet's own size, 4096, makes a world slow to set up; where a pool is used up,
-// Bullet allocates.
+// Few bodies touch at once, and Bullet's default size, 4096, makes a world slow to set up. Bullet allocates
+// more if a pool is full.
 btDefaultCollisionConstructionInfo small_pools() {
   btDefaultCollisionConstructionInfo info;
   info.m_defaultMaxPersistentManifoldPoolSize = 64;

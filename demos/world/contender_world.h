@@ -14,20 +14,20 @@
 
 namespace polhode::demos {
 
-/// An empty world whose bodies one contender rotates: a RotationWorld for a scheme, a plain
-/// btDiscreteDynamicsWorld for one of Bullet's modes, a plain btMultiBodyDynamicsWorld for Bullet's multibody.
-/// Bodies must outlive the world or be removed from it.
+/// An empty world whose bodies are rotated by one contender: a RotationWorld for a scheme, a plain
+/// btDiscreteDynamicsWorld for one of Bullet's modes, a plain btMultiBodyDynamicsWorld for Bullet's
+/// multibody. Bodies must outlive the world or be removed from it.
 class ContenderWorld {
  public:
   explicit ContenderWorld(const Contender& contender);
 
   btDiscreteDynamicsWorld& world() { return *world_; }
-  /// The same world if its bodies are multibodies; else null.
+  /// Returns the same world if its bodies are multibodies, else null.
   btMultiBodyDynamicsWorld* multibody_world() { return multibody_world_; }
-  /// The library's part in it; null in a plain world.
+  /// Returns the library's control of the world; null for a plain world.
   RotationControl* rotation() const { return rotation_; }
 
-  /// Gives a body the mode's flag and no other in a plain world. Call it for each body that is added.
+  /// In a plain world, gives a body the mode's flag and no other. Call it for each body that is added.
   void set_gyroscopic_flag(btRigidBody& body) const;
 
  private:
@@ -35,7 +35,7 @@ class ContenderWorld {
   World& make_world();
 
   decltype(Contender::method) method_;
-  // Declared in the order in which they use each other.
+  // Declared in the order of their dependences.
   btDefaultCollisionConfiguration configuration_;
   btCollisionDispatcher dispatcher_{&configuration_};
   btDbvtBroadphase broadphase_;

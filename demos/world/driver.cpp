@@ -18,7 +18,7 @@ void Driver::before_step(double t_s, double dt_s) {
   if (const auto* planet = drive_.law ? std::get_if<GravityGradient>(&*drive_.law) : nullptr) {
     pull_to_planet(*planet);
   }
-  // In the middle of the step, so that a time a little beside a whole step counts as that step.
+  // Middle of the step, so that a time slightly off a whole step counts as that step.
   const Vector3 motor_torque_B = drive_.motor_torque_B(t_s + 0.5 * dt_s);
   if (rotation_ == nullptr) {
     apply_torques(t_s, motor_torque_B);
@@ -37,7 +37,7 @@ void Driver::pull_to_planet(const GravityGradient& planet) {
 void Driver::apply_torques(double t_s, const Vector3& motor_torque_B) {
   Torque torque = RotorTorque{motor_torque_B};
   if (law_ != nullptr) torque = torque + law_(motion(t_s));
-  // As the library goes on without a law's torque that is not finite.
+  // Skips a law's torque that is not finite, as the library does.
   if (!torque.all_finite()) return;
   if (law_ != nullptr) body_.apply_torque(torque.world_W + body_.rotation().q_WB * torque.body_B);
   if (!torque.rotor_B.isZero(0.0)) body_.apply_rotor_torque(torque.rotor_B);

@@ -6,14 +6,14 @@
 
 namespace polhode::demos {
 
-/// Drives a body as its scenario says. Where a scheme rotates it, the library is told; where Bullet does, torques are
-/// applied before each step, from the motion that the body has then, as users of Bullet do.
+/// Applies a scenario's torque law, rotors and motors to a body. A scheme gets them from the library. In a
+/// plain world torques are applied before each step, for the present motion, as a Bullet user would.
 class Driver {
  public:
-  /// `rotation` is null in a plain world.
+  /// `rotation` is null for a plain world.
   Driver(ScenarioBody& body, const Drive& drive, RotationControl* rotation);
 
-  /// t_s: the time at the start of the step.
+  /// `t_s` is the time at the start of the step.
   void before_step(double t_s, double dt_s);
 
  private:
@@ -24,8 +24,8 @@ class Driver {
   ScenarioBody& body_;
   Drive drive_;
   RotationControl* rotation_;
-  TorqueLaw law_;                             ///< empty: none
-  Vector3 motor_torque_B_ = Vector3::Zero();  ///< as the library was told last
+  TorqueLaw law_;                             ///< empty if there is none
+  Vector3 motor_torque_B_ = Vector3::Zero();  ///< as last passed to the library
 };
 
 }  // namespace polhode::demos

@@ -13,8 +13,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// The usual time of a step: the median over up to 1000 equal stretches of a run, so that neither the first
-/// steps nor an interruption by other programs count.
+/// Computes the usual time of a step: the median over up to 1000 equal parts of a run, so that neither the
+/// first steps nor interruptions by other programs count.
 class StepTimer {
  public:
   explicit StepTimer(std::int64_t steps) : steps_per_stretch_((steps + kStretches - 1) / kStretches) {}

@@ -88,7 +88,7 @@ class RigidScenarioBody final : public ScenarioBody {
 
   btDiscreteDynamicsWorld& world_;
   BodyShape shape_;
-  std::vector<Wheel> wheels_;  ///< where Bullet rotates the body, and it has rotors
+  std::vector<Wheel> wheels_;  ///< if Bullet rotates the body and the body has rotors
   btRigidBody body_;
   std::unique_ptr<BulletRotors> rotors_;
   std::unique_ptr<btPoint2PointConstraint> constraint_;

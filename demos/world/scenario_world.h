@@ -13,27 +13,27 @@
 
 namespace polhode::demos {
 
-/// A scenario in a Bullet world of its own, all its bodies rotated by one contender. Bodies do not fall
-/// asleep.
+/// A scenario in its own Bullet world, with all bodies rotated by one contender. Bodies do not sleep.
 class ScenarioWorld {
  public:
-  /// @throws std::invalid_argument for a start that start_motion refuses, and as require_can_run.
+  /// @throws std::invalid_argument for a start that start_motion refuses, and as require_can_run
   ScenarioWorld(const Scenario& scenario, const Contender& contender);
 
   void step();
 
-  /// The recorded body as it is now, nothing if it has diverged. For a scheme the rotation is the library's
-  /// double state, for Bullet's modes it follows from the body's basis and velocity and those of its wheels, for
-  /// Bullet's multibody from its quaternion and velocity.
+  /// Returns the recorded body's present state, or nothing if it has diverged. The rotation is the library's
+  /// double-precision state for a scheme, comes from the body's basis and velocity and those of its wheels
+  /// for Bullet's modes, and from its quaternion and velocity for Bullet's multibody.
   std::optional<Sample> sample() const;
 
-  /// The recorded body's moments of inertia as Bullet has rounded them: of a rigid body it keeps the inverses.
+  /// Returns the recorded body's moments of inertia as rounded by Bullet, which stores the inverses for a
+  /// rigid body.
   Vector3 inertia_B() const { return bodies_.front()->inertia_B(); }
-  /// The length of a step as Bullet has rounded it.
+  /// Returns the length of a step as rounded by Bullet.
   double dt_s() const { return static_cast<double>(static_cast<btScalar>(scenario_.dt)); }
 
   btDiscreteDynamicsWorld& world() { return world_.world(); }
-  /// The scenario's own body, then `others`: a btRigidBody, or a multibody's btMultiBodyLinkCollider.
+  /// Returns the scenario's own body, then `others`: a btRigidBody, or a multibody's btMultiBodyLinkCollider.
   const btCollisionObject& body(std::size_t index = 0) const { return bodies_.at(index)->object(); }
 
  private:
@@ -46,8 +46,7 @@ class ScenarioWorld {
   std::int64_t steps_ = 0;
   BodyShape plane_;
   std::unique_ptr<btRigidBody> ground_;
-  ContenderWorld
-      world_;  ///< after the ground, which has to outlive it, and before the bodies, which leave it
+  ContenderWorld world_;  ///< outlives the bodies, and the ground outlives it
   std::vector<std::unique_ptr<ScenarioBody>> bodies_;
   std::vector<Driver> drivers_;
 };

@@ -4,18 +4,18 @@
 
 namespace polhode::demos {
 
-/// A picture to draw into in place of a window, with smoothed edges.
+/// A picture to draw into instead of a window, with antialiasing.
 class Framebuffer {
  public:
-  /// @throws std::runtime_error if the driver cannot.
+  /// @throws std::runtime_error if the driver cannot create it
   Framebuffer(int width, int height);
   ~Framebuffer();
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
 
-  /// Makes drawing go to this framebuffer from now on.
+  /// Directs drawing to this framebuffer.
   void bind() const;
-  /// Reads the picture that was drawn.
+  /// Reads the finished picture.
   Image read() const;
 
  private:

@@ -2,10 +2,10 @@
 
 namespace polhode::demos {
 
-/// An OpenGL 3.3 context without display or window, current while it lives.
+/// An OpenGL 3.3 context without display or window, current during its lifetime.
 class HeadlessContext {
  public:
-  /// @throws std::runtime_error if there is none to be had.
+  /// @throws std::runtime_error if no such context is available
   HeadlessContext();
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;

@@ -1,6 +1,6 @@
 #include "viewer/graphics/image.h"
 
-// The code itself comes with Dear ImGui's library or Debian's libstb; here are the declarations.
+// Declares what Dear ImGui's library or Debian's libstb defines.
 #include <stb/stb_image_write.h>
 
 #include <stdexcept>

@@ -6,14 +6,14 @@
 
 namespace polhode::demos {
 
-/// Three bytes a pixel, row by row from the top.
+/// Three bytes per pixel, row by row from the top.
 struct Image {
   int width;
   int height;
   std::vector<std::uint8_t> rgb;
 };
 
-/// @throws std::runtime_error if the file cannot be written.
+/// @throws std::runtime_error if the file cannot be written
 void write_png(const Image& image, const std::filesystem::path& file);
 
 }  // namespace polhode::demos

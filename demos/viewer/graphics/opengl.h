@@ -1,6 +1,6 @@
 #pragma once
 
-/// OpenGL 3.3, its functions linked from the dispatching library that also EGL and GLFW go through.
+/// OpenGL 3.3, linked from the dispatching library that EGL and GLFW use too.
 #ifndef GL_GLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES
 #endif

@@ -11,7 +11,7 @@ namespace polhode::demos {
 
 namespace {
 
-// Lit from where the camera is, and from both sides: a swollen body may have the camera in it.
+// Lights shapes from the camera and from both sides, since the camera may be inside a swollen body.
 constexpr char kVertexShader[] = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -144,7 +144,7 @@ void Renderer::draw(Mesh mesh, const Matrix4f& model_W, Color color, float opaci
   glUniformMatrix4fv(glGetUniformLocation(program_, "model"), 1, GL_FALSE, model_W.data());
   glUniformMatrix3fv(glGetUniformLocation(program_, "normal_matrix"), 1, GL_FALSE, normal_matrix.data());
   set_color(color, opacity, true);
-  // Else a ball would not be seen to turn.
+  // Without it the rotation of a ball would be invisible.
   const bool has_octants = mesh == Mesh::ball && opacity == 1.0f;
   glUniform1i(glGetUniformLocation(program_, "has_octants"), has_octants ? 1 : 0);
   glDepthMask(opacity < 1.0f ? GL_FALSE : GL_TRUE);

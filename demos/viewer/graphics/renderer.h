@@ -11,7 +11,8 @@ namespace polhode::demos {
 
 enum class Mesh { cube, ball, cylinder, cone, square };
 
-/// Draws shaded shapes and lines in viewports of a picture. Needs a current OpenGL 3.3 context all its life.
+/// Draws shaded shapes and lines in viewports of a picture. Needs a current OpenGL 3.3 context during its
+/// lifetime.
 class Renderer {
  public:
   Renderer();
@@ -19,18 +20,18 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Clears the whole picture, of that size in the units of viewports; `scale` pixels are one of them.
+  /// Clears the whole picture. The size is in the units of viewports, each of `scale` pixels.
   void clear(int width, int height, float scale);
-  /// Draws from here on into that part of the picture, seen by that camera.
+  /// Directs drawing to this part of the picture, seen by this camera.
   void begin(const Rectangle& viewport, const OrbitCamera& camera);
-  /// Draws into the whole picture again.
+  /// Directs drawing to the whole picture again.
   void end();
-  /// `model_W` takes the shape's coordinates to the world's. Below an opacity of 1 what is behind shows
-  /// through: draw that first.
+  /// `model_W` maps the shape's coordinates to the world's. Draw shapes with an opacity below 1 after those
+  /// behind them.
   void draw(Mesh mesh, const Matrix4f& model_W, Color color, float opacity = 1.0f);
-  /// Draws lines from each point to the next.
+  /// Draws a line through all points.
   void draw_path(const std::vector<Eigen::Vector3f>& points_W, Color color);
-  /// Draws lines from each point of even number to the next one.
+  /// Draws a line from each even-numbered point to the next one.
   void draw_segments(const std::vector<Eigen::Vector3f>& points_W, Color color);
 
  private:

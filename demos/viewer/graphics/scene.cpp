@@ -12,13 +12,14 @@ constexpr Color kOtherColor{0xA8, 0xA8, 0xA4};
 constexpr Color kGroundColor{0xD8, 0xD8, 0xD2};
 constexpr Color kGridColor{0xB4, 0xB4, 0xAE};
 constexpr Color kPlaneColor{0xE6, 0xD8, 0xA8};
-constexpr double kRoom = 1.7;        // about a body, for its arrows
+constexpr double kRoom = 1.7;        // around a body, for its arrows
 constexpr double kSideBySide = 0.8;  // several bodies do not fill a ball
 constexpr double kArrowThickness = 0.025;
 constexpr double kEllipsoidSize = 1.45;
 constexpr double kPlaneSize = 1.9;
 constexpr std::int64_t kPathSteps = 3000;
-/// A body of so many times its volume may have the camera in it, so it is drawn as a veil.
+/// The camera may be inside a body of more than this many times its volume, so such a body is drawn
+/// transparent.
 constexpr double kSwollen = 8.0;
 constexpr float kSwollenOpacity = 0.3f;
 constexpr int kGroundCells = 8;
@@ -34,7 +35,7 @@ Matrix3 scaling(double x, double y, double z) {
   return Vector3(x, y, z).asDiagonal();
 }
 
-/// Turns z to that direction.
+/// Returns the rotation from z to this direction.
 Matrix3 turned_to(const Vector3& direction) {
   return Quaternion::FromTwoVectors(Vector3::UnitZ(), direction).toRotationMatrix();
 }
@@ -111,7 +112,7 @@ std::vector<Arrow> Scene::arrows(const Simulation& simulation, std::size_t index
   const Sample& sample = simulation.shown(index).sample;
   std::vector<Arrow> arrows = arrows_of(sample, simulation.run(index).start(), reach_);
   const std::optional<Poinsot> poinsot_now = poinsot(simulation.run(index));
-  // On the scale of the ellipsoid, so that it ends where that touches the plane.
+  // Has the ellipsoid's scale, so that it ends where the ellipsoid touches the plane.
   if (is_teaching && poinsot_now) arrows[3].along_W = poinsot_now->scale * sample.state.omega_W;
   return arrows;
 }

@@ -16,12 +16,12 @@ class Scene {
  public:
   explicit Scene(const Simulation& simulation);
 
-  /// Draws one contender at the step that is shown.
+  /// Draws one contender at the step shown.
   void draw(Renderer& renderer, const Simulation& simulation, std::size_t index, bool is_teaching) const;
-  /// The arrows that are drawn with it.
+  /// Returns the arrows drawn with it.
   std::vector<Arrow> arrows(const Simulation& simulation, std::size_t index, bool is_teaching) const;
 
-  /// A ball that holds all that moves at the start.
+  /// Returns a ball that initially encloses all moving bodies.
   const Vector3& centre_W() const { return centre_W_; }
   double radius() const { return radius_; }
 

@@ -31,7 +31,7 @@ unsigned int make_shader_program(const char* vertex_source, const char* fragment
   for (const unsigned int shader :
        {compile(GL_VERTEX_SHADER, vertex_source), compile(GL_FRAGMENT_SHADER, fragment_source)}) {
     glAttachShader(program, shader);
-    glDeleteShader(shader);  // lives as long as the program
+    glDeleteShader(shader);  // deleted together with the program
   }
   glLinkProgram(program);
   int is_linked = 0;

@@ -2,8 +2,8 @@
 
 namespace polhode::demos {
 
-/// A compiled and linked pair of shaders; the caller deletes the program.
-/// @throws std::runtime_error with the compiler's words.
+/// Compiles and links a pair of shaders. The caller deletes the program.
+/// @throws std::runtime_error with the compiler's message
 unsigned int make_shader_program(const char* vertex_source, const char* fragment_source);
 
 }  // namespace polhode::demos

@@ -17,9 +17,9 @@ using Triangles = std::vector<Vertex>;
 Triangles cube();
 /// Returns a ball of radius 1.
 Triangles ball();
-/// Along z from 0 to 1, of radius 1; `top_radius` 0 makes it a cone.
+/// Returns a cylinder of radius 1 along z from 0 to 1; a `top_radius` of 0 makes a cone.
 Triangles cylinder(float top_radius);
-/// The plane z = 0 from -1 to 1.
+/// Returns the plane z = 0 from -1 to 1.
 Triangles square();
 
 }  // namespace polhode::demos

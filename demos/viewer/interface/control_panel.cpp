@@ -14,7 +14,7 @@ namespace polhode::demos {
 
 namespace {
 
-/// Does it, and says in the notice what went wrong.
+/// Calls the function and puts an error into the notice.
 template <typename Work>
 void attempt(Session& session, const Work& work) {
   try {
@@ -42,7 +42,7 @@ void draw_playback(Session& session) {
 }
 
 void draw_scenarios(Session& session) {
-  const std::string current = session.simulation().scenario().name;  // its owner may be replaced below
+  const std::string current = session.simulation().scenario().name;  // a copy: its owner may be replaced
   ImGui::SetNextItemWidth(-1.0f);
   if (!ImGui::BeginCombo("##scenario", current.c_str())) return;
   attempt(session, [&] {
@@ -112,7 +112,7 @@ void draw_changes(Session& session, ViewState& view) {
   if (ImGui::Button("Undo")) view.edited = changes_of(session.simulation().scenario());
 }
 
-/// A field for a file's name with a button beside it; true if that is pressed.
+/// Draws a field for a file's name with a button. Returns true if the button is pressed.
 bool file_button(std::array<char, 256>& file, const char* button) {
   ImGui::PushID(button);
   ImGui::SetNextItemWidth(scaled(190.0f));

@@ -6,7 +6,7 @@
 
 namespace polhode::demos {
 
-/// Scenario, contenders, what can be changed of them, playback and export.
+/// Draws the controls of scenario, contenders, changes, playback and export.
 void draw_control_panel(Session& session, ViewState& view, const Rectangle& area);
 
 }  // namespace polhode::demos

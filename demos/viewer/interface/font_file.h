@@ -4,7 +4,7 @@
 
 namespace polhode::demos {
 
-/// The bytes of font/DejaVuSans.ttf.
+/// Returns the bytes of font/DejaVuSans.ttf.
 std::string_view font_file();
 
 }  // namespace polhode::demos

@@ -27,7 +27,7 @@ void Frame::draw(int width, int height, float scale) {
   ImGui::NewFrame();
   lay_out(static_cast<float>(width), static_cast<float>(height));
   draw_panels(static_cast<float>(width), static_cast<float>(height));
-  follow_session();  // a panel may have started it over
+  follow_session();  // a panel may have started the session over
   renderer_.clear(width, height, scale);
   draw_views();
   ImGui::Render();

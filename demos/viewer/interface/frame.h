@@ -9,17 +9,18 @@
 
 namespace polhode::demos {
 
-/// Draws a session: the views side by side, the panels about them. Needs a current OpenGL context and a Gui.
+/// Draws a session: the views side by side, with the panels around them. Needs a current OpenGL context and a
+/// Gui.
 class Frame {
  public:
   Frame(Session& session, ViewState& view);
 
-  /// Into whatever framebuffer is bound, which has `scale` pixels to each unit of width and height. The
-  /// platform's part of Dear ImGui's frame has begun.
+  /// Draws into the bound framebuffer, which has `scale` pixels per unit of width and height. Call this after
+  /// the platform's part of Dear ImGui's frame has begun.
   void draw(int width, int height, float scale = 1.0f);
-  /// The camera as at the start.
+  /// Resets the camera.
   void reset_camera();
-  /// Returns the area in which the contenders' views were drawn.
+  /// Returns the area of the contenders' views.
   const Rectangle& views() const { return views_; }
 
  private:

@@ -2,7 +2,7 @@
 
 namespace polhode::demos {
 
-/// The keys, in the middle of a picture of that size.
+/// Draws the list of keys in the middle of a picture of this size.
 void draw_help(float width, float height);
 
 }  // namespace polhode::demos

@@ -30,7 +30,7 @@ float status_line() {
 }
 
 constexpr char kHelpHint[] = "H: keys";
-/// The name of a shorter arrow would hide it.
+/// A shorter arrow would be hidden by its name.
 constexpr double kShortestNamed = 0.08;
 
 void write(float left, float top, Color color, const std::string& text) {
@@ -41,7 +41,7 @@ float text_width(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str()).x;
 }
 
-/// The text, or as much of its beginning as there is room for.
+/// Returns the text, shortened at the end if it is too wide.
 std::string shortened_to(float width, std::string text) {
   if (text_width(text) <= width) return text;
   const auto is_inside_a_letter = [](char byte) { return (byte & 0xC0) == 0x80; };  // of UTF-8
@@ -52,7 +52,7 @@ std::string shortened_to(float width, std::string text) {
   return text + "...";
 }
 
-/// On a light ground, since it may lie over a body.
+/// Draws a light ground behind the text, which may lie over a body.
 void write_on_paper(float left, float top, Color color, const std::string& text) {
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   ImGui::GetBackgroundDrawList()->AddRectFilled(
@@ -60,8 +60,8 @@ void write_on_paper(float left, float top, Color color, const std::string& text)
   write(left, top, color, text);
 }
 
-/// Between the texts at the top and at the bottom of a view; below others that it would lie on, or right of
-/// them where there is no room below.
+/// Moves a label between the texts at the top and at the bottom of a view: below the labels that it would
+/// cover, or to the right of them if there is no room below.
 Rectangle place(Rectangle label, const Rectangle& free, const std::vector<Rectangle>& others) {
   const float lowest = free.top + free.height - label.height;
   label.top = std::max(free.top, std::min(label.top, lowest));
@@ -112,8 +112,8 @@ std::vector<std::string> state_texts(const Simulation& simulation, std::size_t i
   return texts;
 }
 
-/// In one line if there is room for it, else in one line each, at the bottom of a view; those that are too long for the
-/// view, or would hide the body in it, are left out. Returns where it begins.
+/// Writes the texts in one line or, if there is no room, one below the other, at the bottom of a view. Leaves
+/// out those that are too long for the view or would hide the body. Returns the top of the texts.
 float draw_state(const Rectangle& viewport, std::vector<std::string> texts) {
   std::string joined;
   for (const std::string& text : texts) joined += (joined.empty() ? "" : "  ") + text;
@@ -129,7 +129,7 @@ float draw_state(const Rectangle& viewport, std::vector<std::string> texts) {
   return top;
 }
 
-/// Below the name, at the right.
+/// Draws the legend below the name, on the right.
 void draw_legend(const Rectangle& viewport, float top) {
   const float right = viewport.left + viewport.width - margin();
   write_on_paper(right - text_width("polhode"), top + line_height(), kPolhodeColor, "polhode");

@@ -16,12 +16,12 @@ namespace polhode::demos {
 
 namespace {
 
-/// Limits the steps of a frame; the rest of a sixtieth of a second is for drawing.
+/// Limits the time for steps in a frame; the rest of a sixtieth of a second is for drawing.
 constexpr std::chrono::milliseconds kStepBudget{10};
 constexpr double kRadiansPerPixel = 0.008;
 constexpr double kZoomPerNotch = 0.9;
 
-/// A session in a window: what its user does comes in by GLFW's callbacks.
+/// A session in a window. The user's actions arrive through GLFW's callbacks.
 class LiveWindow {
  public:
   LiveWindow(Session& session, const ViewerOptions& options)
@@ -37,7 +37,7 @@ class LiveWindow {
                         [](GLFWwindow* window, unsigned int character) { of(window).type(character); });
     glfwSetScrollCallback(window_.handle(),
                           [](GLFWwindow* window, double, double notches) { of(window).scroll(notches); });
-    ImGui_ImplGlfw_InitForOpenGL(window_.handle(), true);  // calls these callbacks, too
+    ImGui_ImplGlfw_InitForOpenGL(window_.handle(), true);  // also calls these callbacks
   }
   ~LiveWindow() { ImGui_ImplGlfw_Shutdown(); }
   LiveWindow(const LiveWindow&) = delete;
@@ -82,7 +82,7 @@ class LiveWindow {
     }
   }
 
-  /// Letters and signs as the keyboard's layout has them.
+  /// Handles letters and signs of the keyboard's layout.
   void type(unsigned int character) {
     if (ImGui::GetIO().WantTextInput) return;
     switch (character) {
@@ -139,7 +139,7 @@ class LiveWindow {
     int width_pixels = 0;
     int height_pixels = 0;
     glfwGetFramebufferSize(window_.handle(), &width_pixels, &height_pixels);
-    if (width == 0 || height == 0) return glfwWaitEventsTimeout(0.1);  // hidden
+    if (width == 0 || height == 0) return glfwWaitEventsTimeout(0.1);  // minimized
     ImGui_ImplGlfw_NewFrame();
     frame_->draw(width, height, static_cast<float>(width_pixels) / static_cast<float>(width));
     if (view_.wanted_png) write_picture(width_pixels, height_pixels);
@@ -158,7 +158,7 @@ class LiveWindow {
 
   Session& session_;
   ViewState view_;
-  // Members that need the context are declared after it, so that they are destroyed before it.
+  // Members that need the context are declared after it, so that they are destroyed first.
   Window window_;
   Gui gui_{window_.text_scale(), window_.pixels()};
   std::optional<Frame> frame_;

@@ -5,8 +5,8 @@
 
 namespace polhode::demos {
 
-/// Shows the session in a window until that is closed.
-/// @throws std::runtime_error if there is no window to be had; Interrupted
+/// Shows the session in a window until the window is closed.
+/// @throws std::runtime_error if no window can be opened; Interrupted
 void show_window(Session& session, const ViewerOptions& options);
 
 }  // namespace polhode::demos

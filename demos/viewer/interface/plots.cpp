@@ -13,7 +13,7 @@ namespace polhode::demos {
 namespace {
 
 constexpr std::size_t kMostPoints = 400;
-/// The least width of a plot. Plots are scrolled where there is less room.
+/// The least width of a plot. A narrower panel scrolls.
 constexpr float kLeastWidth = 250.0f;
 constexpr float kLeastHeight = 150.0f;
 constexpr float kLeftMargin = 72.0f;
@@ -21,14 +21,14 @@ constexpr float kRightMargin = 14.0f;
 constexpr float kTopMargin = 26.0f;
 constexpr float kBottomMargin = 24.0f;
 
-/// Takes times and values to pixels.
+/// Maps times and values to pixels.
 struct Axes {
   Rectangle frame;
   Range t_s;
   Range value;
 
   ImVec2 at(double t, double v) const {
-    // Far outside is as good as outside, and pixels stay numbers that can be drawn.
+    // Limited, so that pixels far outside stay numbers that can be drawn.
     const double height = std::clamp((v - value.lowest) / (value.highest - value.lowest), -2.0, 3.0);
     const double across = (t - t_s.lowest) / (t_s.highest - t_s.lowest);
     return {frame.left + frame.width * static_cast<float>(across),
@@ -45,7 +45,7 @@ void draw_ticks(ImDrawList& list, const Axes& axes, bool is_logarithmic) {
     const float y = axes.at(axes.t_s.lowest, value).y;
     const std::string text =
         is_logarithmic ? "1e" + short_number_text(value, 3) : short_number_text(value, 7);
-    if (text == previous) continue;  // of a line that only rounding bends
+    if (text == previous) continue;  // repeats for a line bent by rounding only
     previous = text;
     list.AddLine({frame.left, y}, {frame.left + frame.width, y}, im_color(kRule, 0.6f));
     list.AddText({frame.left - scaled(5.0f) - ImGui::CalcTextSize(text.c_str()).x, y - half_line},
@@ -98,7 +98,7 @@ void draw_plot(const Simulation& simulation, const PlotSubject& subject, const R
   const ImVec2 corner{axes.frame.left, axes.frame.top};
   const ImVec2 far_corner{axes.frame.left + axes.frame.width, axes.frame.top + axes.frame.height};
   list.PushClipRect(corner, far_corner, true);
-  // The first contender's curve, by default the exact one's, is drawn last: over the others.
+  // Draws the first contender, by default the exact one, last and thus on top.
   for (std::size_t index = curves.size(); index-- > 0;) draw_curve(list, axes, curves[index], index);
   list.PopClipRect();
   list.AddRect(corner, far_corner, im_color(kFaintInk));

@@ -17,7 +17,7 @@ Image draw_image(Session& session, const ViewerOptions& options) {
   view.has_panels = !options.has_no_panels;
   Frame frame(session, view);
   const Framebuffer framebuffer(options.width, options.height);
-  // Dear ImGui fits windows to what is in them in their second frame.
+  // Dear ImGui fits windows to their content in their second frame.
   for (int repetition = 0; repetition < 2; ++repetition) {
     ImGui::GetIO().DisplaySize = {static_cast<float>(options.width), static_cast<float>(options.height)};
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;

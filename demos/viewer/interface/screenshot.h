@@ -6,8 +6,8 @@
 
 namespace polhode::demos {
 
-/// The session as it is shown, drawn without a display, or in a window that is not shown.
-/// @throws std::runtime_error if there is no OpenGL.
+/// Returns a picture of the session, drawn without a display, or in a hidden window.
+/// @throws std::runtime_error if OpenGL is not available
 Image take_screenshot(Session& session, const ViewerOptions& options);
 
 }  // namespace polhode::demos

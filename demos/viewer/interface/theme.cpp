@@ -12,7 +12,7 @@ namespace polhode::demos {
 
 namespace {
 
-/// Letters of western languages, Greek, subscripts, the minus sign: the subset that the file has.
+/// Western letters, Greek, subscripts, the minus sign: the characters of the font file.
 constexpr ImWchar kGlyphs[] = {0x20, 0xFF, 0x391, 0x3C9, 0x2070, 0x209C, 0x2212, 0x2212, 0};
 
 void load_font(float size, float pixels) {
@@ -20,7 +20,7 @@ void load_font(float size, float pixels) {
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;
   ImGuiIO& io = ImGui::GetIO();
-  // Drawn with all pixels of the screen, shown in its units.
+  // Drawn in the screen's pixels, sized in its units.
   io.Fonts->AddFontFromMemoryTTF(const_cast<char*>(file.data()), static_cast<int>(file.size()), size * pixels,
                                  &config, kGlyphs);
   io.FontGlobalScale = 1.0f / pixels;
@@ -30,7 +30,7 @@ void load_font(float size, float pixels) {
 
 Gui::Gui(float scale, float pixels) {
   ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind
+  ImGui::GetIO().IniFilename = nullptr;  // writes no settings file
   ImGui::StyleColorsLight();
   ImGuiStyle& style = ImGui::GetStyle();
   style.WindowRounding = 0.0f;

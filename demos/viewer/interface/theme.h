@@ -6,10 +6,10 @@
 
 namespace polhode::demos {
 
-/// Dear ImGui, dressed for a light ground, while it lives. Needs a current OpenGL context.
+/// Dear ImGui with a light theme, during its lifetime. Needs a current OpenGL context.
 class Gui {
  public:
-  /// Texts are `scale` times as large as on a usual screen, in units of which each has `pixels` pixels.
+  /// Texts are `scale` times as large as on a usual screen, in units of `pixels` pixels.
   explicit Gui(float scale = 1.0f, float pixels = 1.0f);
   ~Gui();
   Gui(const Gui&) = delete;
@@ -18,7 +18,7 @@ class Gui {
 
 inline constexpr float kFontSize = 15.0f;
 
-/// Returns a length that is to grow with the texts.
+/// Returns a length scaled like the texts.
 inline float scaled(float length) {
   return length * ImGui::GetFontSize() / kFontSize;
 }

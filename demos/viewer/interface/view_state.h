@@ -9,19 +9,19 @@
 
 namespace polhode::demos {
 
-/// Holds how a user looks at a session; nothing in it changes what is computed.
+/// How a user looks at a session; does not affect the computation.
 struct ViewState {
   OrbitCamera camera;
   bool is_teaching = false;
   bool has_panels = true;
   bool has_help = false;
   bool follows_bodies = false;
-  /// The fields of the control panel, which count once they are applied.
+  /// The fields of the control panel, used once they are applied.
   Changes edited{};
   std::array<char, 256> csv_file{"polhode.csv"};
   std::array<char, 256> png_file{"polhode.png"};
   std::array<char, 256> recording_file{"polhode_run.txt"};
-  /// The next picture is to be written there.
+  /// File for the next picture.
   std::optional<std::filesystem::path> wanted_png;
 };
 

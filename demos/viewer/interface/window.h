@@ -4,19 +4,19 @@ struct GLFWwindow;
 
 namespace polhode::demos {
 
-/// A window with an OpenGL 3.3 context, which is current while it lives. One at a time.
+/// A window with an OpenGL 3.3 context, which is current during its lifetime. Only one can exist at a time.
 class Window {
  public:
-  /// @throws std::runtime_error that says why there is none to be had.
+  /// @throws std::runtime_error that says why no window can be opened
   Window(int width, int height, bool is_visible);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
   GLFWwindow* handle() const { return window_; }
-  /// Returns the pixels to a unit of the window's size.
+  /// Returns the pixels per unit of the window's size.
   float pixels() const;
-  /// Returns by how much the screen asks for larger texts than one of the usual density, in the window's units.
+  /// Returns the factor by which texts must grow on this screen, in the window's units.
   float text_scale() const;
 
  private:

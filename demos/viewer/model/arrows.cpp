@@ -19,7 +19,7 @@ constexpr Color kOmegaColor{0x10, 0x10, 0x10};
 constexpr Color kMomentumColor{0xA0, 0x10, 0xA0};
 constexpr Color kRotorColor{0xB0, 0x60, 0x00};
 
-/// In radii: what was there at the start is shown at its usual length.
+/// In radii, at the initial magnitude.
 double length_of(const Vector3& vector_W, const Vector3& start_W, double usual) {
   const double norm = vector_W.norm();
   if (norm == 0.0) return 0.0;
@@ -47,7 +47,7 @@ std::vector<Arrow> arrows_of(const Sample& sample, const Sample& start, double r
                     kMomentumColor, 1.4});
   if (sample.state.has_rotor()) {
     const Vector3 h_W = sample.state.q_WB * sample.state.rotor_momentum_B;
-    // On the scale of L, but where L is 0 at the start.
+    // On the scale of L, unless L is 0 at the start.
     const double length = length_of(h_W, start.state.L_W, kMomentumLength);
     arrows.push_back({"h", from_W, length * radius * h_W.normalized(), kRotorColor, 1.8});
   }

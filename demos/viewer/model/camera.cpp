@@ -48,7 +48,7 @@ Matrix4f OrbitCamera::view() const {
 Matrix4f OrbitCamera::projection(double aspect) const {
   const double near_plane = 0.02 * distance_;
   const double far_plane = 200.0 * distance_;
-  // The narrower side of the view has the field of view, so that a high and narrow one cuts nothing off.
+  // The narrower side of the view gets the field of view, so that a tall view cuts nothing off.
   const double scale = std::min(aspect, 1.0) / std::tan(kHalfFieldOfView);
   Matrix4f result = Matrix4f::Zero();
   result(0, 0) = static_cast<float>(scale / aspect);

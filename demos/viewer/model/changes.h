@@ -4,7 +4,7 @@
 
 namespace polhode::demos {
 
-/// The parts of a scenario that a user may change in the viewer.
+/// The parts of a scenario that a user can change in the viewer.
 struct Changes {
   double dt;
   Vector3 inertia_B;
@@ -13,7 +13,7 @@ struct Changes {
 
 Changes changes_of(const Scenario& resolved_scenario);
 
-/// The scenario with these, its start not yet tried.
+/// Returns the scenario with these changes. Does not check its start.
 /// @throws std::invalid_argument that says what is valid
 Scenario changed(Scenario scenario, const Changes& changes);
 

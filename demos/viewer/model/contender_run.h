@@ -13,26 +13,26 @@
 
 namespace polhode::demos {
 
-/// The largest number of steps of a run that can be recorded.
+/// The largest number of steps that can be recorded.
 inline constexpr std::int64_t kMostDigests = 1000000;
 
-/// One contender's world, stepped, and what it left behind.
+/// One contender's world and its history.
 class ContenderRun {
  public:
   ContenderRun(const Scenario& scenario, Contender contender, std::size_t history_capacity);
 
-  /// Does nothing once it has diverged.
+  /// Does nothing after the contender has diverged.
   void step();
 
   const Contender& contender() const { return contender_; }
   const History& history() const { return history_; }
   const Sample& start() const { return start_; }
-  /// The step that failed, if one did.
+  /// Returns the step that failed, if any.
   std::optional<std::int64_t> diverged_at_step() const { return diverged_at_step_; }
-  /// Returns a digest of the state's bits after that step, for a recording; 0 if the run had diverged, or
+  /// Returns a digest of the state's bits after this step, for a recording; 0 if the run had diverged, or
   /// past kMostDigests.
   std::uint64_t digest_at(std::int64_t step) const;
-  /// The sample after that step, or after the nearest that is held.
+  /// Returns the sample after this step, or after the nearest step that is kept.
   Instant instant(std::int64_t step) const { return {history_.at(step).sample, start_, inertia_B()}; }
   Vector3 inertia_B() const { return world_->inertia_B(); }
 

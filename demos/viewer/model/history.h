@@ -8,30 +8,30 @@
 
 namespace polhode::demos {
 
-/// The place and orientation of a body that is not recorded.
+/// The pose of a body that is not recorded.
 struct Pose {
   Matrix3 R_WB = Matrix3::Identity();
   Vector3 position_W = Vector3::Zero();
 };
 
-/// The values from which one contender is drawn after one step.
+/// The values needed to draw one contender after one step.
 struct Snapshot {
   Sample sample;
   std::vector<Pose> others;
 };
 
-/// The last steps of one contender, without a gap. It holds a bounded number of them: the oldest give way.
+/// The last steps of one contender, without a gap. Keeps a limited number of steps and drops the oldest.
 class History {
  public:
   explicit History(std::size_t capacity) : capacity_(capacity) {}
 
-  /// The step after the last one.
+  /// Returns the step after the last one.
   void add(Snapshot snapshot);
   std::int64_t first_step() const { return snapshots_.front().sample.step; }
   std::int64_t last_step() const { return snapshots_.back().sample.step; }
   std::size_t size() const { return snapshots_.size(); }
 
-  /// The snapshot of that step, or of the nearest that is held: after a divergence the last sound one.
+  /// Returns the snapshot of this step, or of the nearest step kept: after a divergence the last valid one.
   const Snapshot& at(std::int64_t step) const;
 
  private:

@@ -14,7 +14,7 @@ namespace polhode::demos {
 /// Holds the options of polhode_viewer's command line.
 struct ViewerOptions {
   std::string scenario = "dzhanibekov";
-  std::vector<std::string> contenders;  ///< empty: the default ones
+  std::vector<std::string> contenders;  ///< empty for the default ones
   std::optional<double> dt;
   std::optional<double> at_s;
   double speed = 1.0;
@@ -22,7 +22,7 @@ struct ViewerOptions {
   int height = 1000;
   bool is_teaching = false;
   bool has_no_panels = false;
-  bool through_window = false;  ///< the screenshot
+  bool through_window = false;  ///< of the screenshot
   std::optional<std::filesystem::path> screenshot;
   std::optional<std::filesystem::path> record;
   std::optional<std::filesystem::path> replay;
@@ -35,8 +35,9 @@ std::optional<ViewerOptions> parse_viewer_options(int argument_count, char** arg
 /// Starts the session that the options choose: a scenario with contenders, or a recording.
 /// @throws std::invalid_argument, ScenarioError
 Session chosen_session(const ViewerOptions& options);
-/// The step that --at means; without it the start, or of a replay that is a picture the end.
-/// @throws std::invalid_argument if it is too far from the start to be waited for
+/// Returns the step that --at selects. Without --at returns the start, or the end for a screenshot of a
+/// replay.
+/// @throws std::invalid_argument if the step is too far from the start
 std::int64_t chosen_step(const ViewerOptions& options, const Session& session);
 
 }  // namespace polhode::demos

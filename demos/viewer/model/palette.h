@@ -12,8 +12,8 @@ struct Color {
   std::uint8_t blue;
 };
 
-/// Okabe and Ito's colours, which colour-blind people can tell apart, made darker where they would be lost on
-/// a light ground; the last two are added to them. The same as those of a report's page, see its palette.js.
+/// Okabe and Ito's colours, which colour-blind people can tell apart, darkened where a light ground needs it,
+/// and two more. palette.js of the report has the same.
 inline constexpr std::array<Color, 9> kContenderColors = {{{0x00, 0x72, 0xB2},
                                                            {0xD5, 0x5E, 0x00},
                                                            {0x00, 0x9E, 0x73},
@@ -24,7 +24,7 @@ inline constexpr std::array<Color, 9> kContenderColors = {{{0x00, 0x72, 0xB2},
                                                            {0x99, 0x8A, 0x00},
                                                            {0x88, 0x22, 0x55}}};
 
-/// The paths of omega in the teaching view.
+/// The colours of omega's paths in the teaching view.
 inline constexpr Color kPolhodeColor{0xC0, 0x00, 0x40};
 inline constexpr Color kHerpolhodeColor{0x20, 0x20, 0x80};
 
@@ -32,7 +32,7 @@ inline Color contender_color(std::size_t index) {
   return kContenderColors[index % kContenderColors.size()];
 }
 
-/// Returns true for contenders past the last colour, which are drawn dashed.
+/// Returns true for contenders after the last colour, which are drawn dashed.
 inline bool is_dashed(std::size_t index) {
   return index >= kContenderColors.size();
 }

@@ -7,7 +7,7 @@ namespace polhode::demos {
 
 namespace {
 
-/// After a hitch the view goes on from where it was instead of racing after the time that was lost.
+/// After an interruption playback continues where it was instead of catching up.
 constexpr double kLongestFrame = 0.1;  // s
 
 }  // namespace

@@ -4,15 +4,15 @@
 
 namespace polhode::demos {
 
-/// Says how many steps are due: real time times a speed factor.
+/// Tells how many steps are due: real time times a speed factor.
 class PlaybackClock {
  public:
   static constexpr double kSlowest = 1.0 / 1024.0;
   static constexpr double kFastest = 1024.0;
 
-  /// The steps due after so much more real time. What is left of a step is kept for the next call.
+  /// Returns the steps due after this much more real time. A fraction of a step is kept for the next call.
   std::int64_t steps_due(double real_s, double dt_s);
-  /// Forgets what is left of a step.
+  /// Drops the fraction of a step.
   void restart() { owed_s_ = 0.0; }
 
   double speed() const { return speed_; }

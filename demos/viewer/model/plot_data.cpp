@@ -7,13 +7,13 @@ namespace polhode::demos {
 
 namespace {
 
-/// Below rounding all errors are alike.
+/// The least error drawn, below rounding.
 constexpr double kLeastPower = -17.0;
-/// The part of the curves, sorted by how far they go, that sets the range; others may go kUsualReach times as
-/// far.
+/// The fraction of the curves, sorted by extent, that sets the range; other curves may extend kUsualReach
+/// times as far.
 constexpr double kUsualPart = 0.7;
 constexpr double kUsualReach = 4.0;
-/// The least range, relative to the value at the start.
+/// The least range, relative to the initial value.
 constexpr double kRoomToLeave = 0.3;
 constexpr double kMargin = 0.08;
 
@@ -29,7 +29,7 @@ Curve curve_of(const ContenderRun& run, std::int64_t last_step, const PlotSubjec
   const auto most = static_cast<std::int64_t>(most_points);
   const std::int64_t stride = std::max<std::int64_t>(1, (steps + most - 1) / most);
   Curve curve;
-  // At multiples of the stride, so that a curve that grows does not flicker; and the newest.
+  // Takes multiples of the stride, so that a growing curve does not flicker, and the newest step.
   for (std::int64_t step = history.first_step(); step <= last;
        step = std::min(step == last ? last + 1 : last, (step / stride + 1) * stride)) {
     const Instant at = run.instant(step);
@@ -45,7 +45,7 @@ Range extent(const Curve& curve) {
   return {lowest->value, highest->value};
 }
 
-/// The distance from the first value that all but the outliers keep.
+/// Returns the largest distance from the first value, without the outliers.
 double usual_distance(const std::vector<Range>& extents, double centre) {
   std::vector<double> distances;
   distances.reserve(extents.size());
@@ -54,7 +54,7 @@ double usual_distance(const std::vector<Range>& extents, double centre) {
   }
   std::sort(distances.begin(), distances.end());
   const auto usual = static_cast<std::size_t>(kUsualPart * static_cast<double>(distances.size()));
-  // Where nearly all curves show rounding only, leaves room to see one that departs from them.
+  // If nearly all curves show rounding only, leaves room for one that departs from them.
   const double limit = std::max(kUsualReach * distances[usual], kRoomToLeave * std::abs(centre));
   if (distances[usual] < kRoomToLeave * std::abs(centre)) return std::min(limit, distances.back());
   return *(std::upper_bound(distances.begin() + static_cast<std::ptrdiff_t>(usual), distances.end(), limit) -
@@ -101,7 +101,7 @@ Range value_range(const std::vector<Curve>& curves) {
     shown.lowest = std::min(shown.lowest, std::max(one.lowest, centre - reach));
     shown.highest = std::max(shown.highest, std::min(one.highest, centre + reach));
   }
-  // A curve that differs by rounding alone is drawn as a straight line.
+  // A curve that varies by rounding only is drawn as a straight line.
   const double least = std::max(1e-5 * std::abs(centre), 1e-12);
   const double margin = std::max(kMargin * (shown.highest - shown.lowest), least);
   return {shown.lowest - margin, shown.highest + margin};
@@ -123,7 +123,7 @@ std::vector<double> ticks(const Range& range) {
   std::vector<double> result;
   const double first = std::ceil(range.lowest / step);
   for (double multiple = first; multiple * step <= range.highest && result.size() < 8; multiple += 1.0) {
-    result.push_back(multiple * step + 0.0);  // no negative zero
+    result.push_back(multiple * step + 0.0);  // avoids negative zero
   }
   return result;
 }

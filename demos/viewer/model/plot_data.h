@@ -11,36 +11,36 @@ namespace polhode::demos {
 
 struct PlotPoint {
   double t_s;
-  double value;  ///< of a logarithmic quantity its power of ten
+  double value;  ///< a power of ten for a logarithmic quantity
 };
 
-/// The points of one contender, in the order of time; empty where the quantity is not known.
+/// The points of one contender, ordered by time; empty if the quantity is unknown.
 using Curve = std::vector<PlotPoint>;
 
-/// What one plot shows: a quantity, or one component of a vector.
+/// The content of a plot: a quantity, or one component of a vector.
 struct PlotSubject {
   const Quantity* quantity;
   int component;
 
-  /// "energy, J"
+  /// Returns for example "energy, J".
   std::string title() const;
 };
 
-/// All that is plotted, errors first.
+/// Returns all plots, errors first.
 std::vector<PlotSubject> plot_subjects();
 
-/// A curve for each contender, up to the step that is shown, of about `most_points` points.
+/// Returns a curve of about `most_points` points for each contender, up to the step shown.
 std::vector<Curve> curves_of(const Simulation& simulation, const PlotSubject& subject,
                              std::size_t most_points);
 
-/// Returns the range that shows all curves but the few that leave the others by far, such as one that blows
-/// up.
+/// Returns the range that shows all curves except a few that leave the others far behind, such as one that
+/// blows up.
 Range value_range(const std::vector<Curve>& curves);
 
-/// Returns true if a part of the curve is outside the range.
+/// Returns true if part of the curve is outside the range.
 bool leaves(const Curve& curve, const Range& range);
 
-/// Round numbers within a range, two to six of them.
+/// Returns two to six round numbers within a range.
 std::vector<double> ticks(const Range& range);
 
 }  // namespace polhode::demos

@@ -6,7 +6,7 @@ namespace polhode::demos {
 
 namespace {
 
-/// Calls `use` with the sample of each of the last steps up to that one.
+/// Calls `use` with the sample of each of the last steps up to this one.
 template <typename Use>
 void for_each_sample(const History& history, std::int64_t step, std::int64_t most, const Use& use) {
   const std::int64_t last = std::min(step, history.last_step());

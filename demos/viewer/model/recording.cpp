@@ -19,9 +19,9 @@ namespace polhode::demos {
 
 namespace {
 
-/// Room for the largest scenario file with all its defaults spelled out.
+/// Fits the largest scenario file with all its defaults written out.
 constexpr std::size_t kLongestHeader = 8 << 20;
-constexpr std::size_t kDigestWidth = 17;  // with what separates it from the next
+constexpr std::size_t kDigestWidth = 17;  // includes the separator
 
 constexpr char kFormat[] = "polhode recording 1";
 
@@ -70,7 +70,7 @@ Recording recording_of(const std::string& line, const std::string& file) {
   return {resolved(parse_scenario(header["scenario"].dump(), file)), find_contenders(names), {}};
 }
 
-/// Numbers with a blank between them; none if there is something else.
+/// Returns the numbers, separated by blanks; none if the text has anything else.
 std::vector<std::uint64_t> digests_of(const std::string& line) {
   std::vector<std::uint64_t> digests;
   const char* at = line.data();
@@ -121,7 +121,7 @@ Recording read_recording(const std::filesystem::path& file) {
       refuse(name, "it has more than " + number_text(kMostDigests) + " steps");
     }
   }
-  if (!line.empty()) {  // one that is too long
+  if (!line.empty()) {  // the line is too long
     recording.digests.emplace_back();
     refuse_line();
   }

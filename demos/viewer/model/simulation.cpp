@@ -34,7 +34,7 @@ bool Simulation::step_back() {
 }
 
 std::int64_t Simulation::first_kept_step() const {
-  // A run that has diverged may hold older steps than the others.
+  // A run that has diverged may keep older steps than the others.
   const auto capacity = static_cast<std::int64_t>(history_capacity_);
   return std::max<std::int64_t>(0, computed_step_ - capacity + 1);
 }

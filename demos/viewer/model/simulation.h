@@ -8,22 +8,22 @@
 
 namespace polhode::demos {
 
-/// The number of steps of each contender that are kept, to step back through and to plot.
+/// The number of steps kept of each contender, for stepping back and for plots.
 inline constexpr std::size_t kHistoryCapacity = 20000;
-/// Fewer, where all bodies of all contenders would have more poses than this, of 96 bytes each.
+/// Fewer steps are kept if the bodies of all contenders would have more poses than this, of 96 bytes each.
 inline constexpr std::size_t kMostPoses = 4000000;
 
-/// A scenario run by several contenders in lockstep: all are at the same step, or have diverged before it.
-/// The step that is shown may lie behind the last one that was computed, as far back as the history goes.
+/// A scenario run by several contenders in lockstep: all are at the same step, or have diverged before. The
+/// step shown can lie behind the last one computed, as far back as the history goes.
 class Simulation {
  public:
-  /// @throws std::invalid_argument for a start that start_motion refuses.
+  /// @throws std::invalid_argument for a start that start_motion refuses
   Simulation(Scenario scenario, const std::vector<Contender>& contenders,
              std::size_t history_capacity = kHistoryCapacity);
 
-  /// Shows the next step, which is computed if it never was. Returns the names of those that diverge in it.
+  /// Shows the next step, and computes it if needed. Returns the names of the contenders that diverge in it.
   std::vector<std::string> step();
-  /// Shows the step before; false if that is not kept.
+  /// Shows the step before. Returns false if that is not kept.
   bool step_back();
 
   const Scenario& scenario() const { return scenario_; }
@@ -37,7 +37,7 @@ class Simulation {
   std::size_t size() const { return runs_.size(); }
   const ContenderRun& run(std::size_t index) const { return *runs_.at(index); }
   const Snapshot& shown(std::size_t index) const { return run(index).history().at(shown_step_); }
-  /// Returns true if that contender has failed at or before the step that is shown.
+  /// Returns true if this contender has failed at or before the step shown.
   bool has_diverged(std::size_t index) const;
 
  private:

@@ -6,10 +6,10 @@ namespace polhode::demos {
 
 namespace {
 
-/// A view is good if it is somewhat wider than high: a body needs as much of both, its labels more width.
+/// The best view is slightly wider than high: a body needs both equally, its labels more width.
 constexpr float kGoodAspect = 1.25f;
 
-/// Returns how large a view of good shape fits into a cell, with so many columns.
+/// Returns the size of the largest well-shaped view that fits into a cell, for this number of columns.
 float room_in_cell(const Rectangle& area, std::size_t columns, std::size_t count) {
   const std::size_t rows = (count + columns - 1) / columns;
   return std::min(area.width / static_cast<float>(columns),

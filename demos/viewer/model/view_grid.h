@@ -16,10 +16,10 @@ struct Rectangle {
   }
 };
 
-/// Cell `index` of `count` equal ones that share an area, with as much room for a body as can be.
+/// Returns cell `index` of `count` equal cells of an area, shaped to leave the most room for a body.
 Rectangle grid_cell(const Rectangle& area, std::size_t index, std::size_t count);
 
-/// The same for a given number of columns and rows.
+/// Does the same for a given number of columns and rows.
 Rectangle grid_cell_of_columns(const Rectangle& area, std::size_t index, std::size_t columns,
                                std::size_t rows);
 

@@ -10,7 +10,7 @@ namespace polhode::demos {
 /// The constraint or torque that acts on the bodies of a cell.
 enum class JointKind : std::uint8_t {
   hinge,   ///< to the world, through the body's centre
-  motor,   ///< the same with a motor, which starts the body from rest
+  motor,   ///< the same hinge with a motor, which starts the body from rest
   weld,    ///< of two bodies
   point,   ///< a ball joint to the world, beside the body's centre
   lock,    ///< the body may not turn about one axis of the world
@@ -23,7 +23,7 @@ inline constexpr std::array kJointKinds = {JointKind::hinge, JointKind::motor, J
 std::string to_string(JointKind kind);
 
 /// Returns the kinds of these names, in this order.
-/// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice
+/// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or a repeated one
 std::vector<JointKind> find_joint_kinds(const std::vector<std::string>& names);
 
 }  // namespace polhode::demos

@@ -8,7 +8,7 @@
 namespace polhode::demos {
 
 JointMotion follow(JointScene& scene, double dt_s, std::int64_t steps) {
-  // 1/60 s is a little less than its double: step 60 is in the first second.
+  // 1/60 s is slightly less than its double: step 60 is in the first second.
   const std::int64_t first_second = std::llround(std::ceil(1.0 / dt_s - 1e-6));
   JointMotion motion;
   while (motion.steps < steps) {

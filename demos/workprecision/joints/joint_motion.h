@@ -6,13 +6,13 @@
 
 namespace polhode::demos {
 
-/// The result of a scene's run to its end or to the divergence. The scene settles in the first second, in
+/// The results of a scene's run to its end or to the divergence. The scene settles in the first second, in
 /// which only a divergence counts.
 struct JointMotion {
-  std::int64_t steps = 0;  ///< that went well
-  bool diverged = false;   ///< the next one did not
+  std::int64_t steps = 0;  ///< completed steps
+  bool diverged = false;   ///< the next step failed
   double worst_joint_error = 0.0;
-  double worst_energy_gain = 0.0;  ///< the largest E/E0
+  double worst_energy_gain = 0.0;  ///< largest E/E0
   double worst_speed_error = 0.0;
 };
 

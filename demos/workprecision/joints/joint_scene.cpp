@@ -11,10 +11,10 @@ namespace polhode::demos {
 namespace {
 
 constexpr double kMass = 1.0;         // kg
-constexpr double kLeastMoment = 0.1;  // kg m^2: much like that of the mass on the arms of the joints
+constexpr double kLeastMoment = 0.1;  // kg m^2, comparable to that of the mass on the arms of the joints
 
-// A hundred times too fast. A stable spring stays below: as seen at the ends of steps its energy varies, in
-// plain Bullet by a factor of 399 at 3 rad a step.
+// A body that is a hundred times too fast has diverged. A stable spring stays below: sampled at the ends of
+// steps, its energy varies in plain Bullet by a factor of 399 at 3 rad a step.
 constexpr double kGreatestEnergyGain = 1e4;
 
 double kinetic_energy_J(const btRigidBody& body) {
@@ -66,7 +66,7 @@ double JointScene::energy_J() const {
 }
 
 bool JointScene::diverged() const {
-  // The library stops a body whose scheme diverges, so that nothing is to be seen on it.
+  // The library stops a body whose scheme diverges, so its velocity does not show the divergence.
   if (world_.rotation() != nullptr && world_.rotation()->incidents() > 0) return true;
   for (const auto& body : bodies_) {
     if (!within_limits(rotation_of(*body))) return true;

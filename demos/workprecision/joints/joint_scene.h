@@ -15,14 +15,14 @@ namespace polhode::demos {
 
 /// The start of a scene.
 struct JointStart {
-  double omega_dt;       ///< how far the body turns in a step, rad; of a spring the phase of its swing
+  double omega_dt;       ///< turn of the body in a step, rad; for a spring the phase of its oscillation
   double inertia_ratio;  ///< I_3/I_1
-  double tilt;  ///< of the axis of spin from the axis of I_1, towards half way between the others, rad
+  double tilt;           ///< of the spin from the axis of I_1, towards the middle between the other axes, rad
   double dt_s;
 };
 
-/// A constrained body, or two, in a world of their own: no gravity, damping, contact or sleep, 30 iterations
-/// of the solver. Everything is measured on Bullet's bodies, as an application sees them.
+/// One or two constrained bodies in their own world: no gravity, damping, contact or sleep, 30 solver
+/// iterations. Everything is measured on Bullet's bodies, as an application sees them.
 class JointScene {
  public:
   virtual ~JointScene();
@@ -35,10 +35,10 @@ class JointScene {
   virtual double joint_error() const = 0;
   /// Returns the kinetic energy of all bodies, plus the energy of a spring.
   virtual double energy_J() const;
-  /// Returns the energy that energy_J() is compared with: its value at the start, or the value that a motor
-  /// aims at.
+  /// Returns the energy that energy_J() is compared with: the initial energy, or that at a motor's target
+  /// speed.
   virtual double reference_energy_J() const { return start_energy_J_; }
-  /// Returns the error of the speed that a motor shall hold, relative to that speed; 0 without a motor.
+  /// Returns the error of a motor's speed relative to its target; 0 without a motor.
   virtual double speed_error() const { return 0.0; }
 
   /// Returns the constrained body; a weld has two.
@@ -69,8 +69,8 @@ class JointScene {
   /// Returns the orientation in which the axis of spin lies along that axis of the world.
   Quaternion start_orientation(const Vector3& spin_axis_W) const;
 
-  /// Returns a fixed body for joints to the world. Each scene has its own, because
-  /// btTypedConstraint::getFixedBody() is one for all threads.
+  /// Returns a fixed body for joints to the world. Each scene has its own, because all threads share
+  /// btTypedConstraint::getFixedBody().
   btRigidBody& ground() { return ground_; }
 
  private:
@@ -80,7 +80,7 @@ class JointScene {
   btRigidBody ground_{btScalar(0), nullptr, nullptr};
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> constraints_;
-  ContenderWorld world_;  ///< after what it uses, so that it is destroyed before
+  ContenderWorld world_;  ///< declared after the objects it uses, so that it is destroyed first
 };
 
 std::unique_ptr<JointScene> make_joint_scene(JointKind kind, const Contender& contender,

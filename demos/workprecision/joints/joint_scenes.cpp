@@ -14,7 +14,7 @@ namespace polhode::demos {
 
 namespace {
 
-// An axis in general position: along no axis of the world.
+// An axis in general position, along none of the world's axes.
 const Vector3 kSpinAxis(1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0);
 
 double angle_between(const Vector3& a, const Vector3& b) {
@@ -52,8 +52,8 @@ class HingeScene : public JointScene {
   btHingeConstraint* hinge_ = nullptr;
 };
 
-/// Drives the body from rest to its speed within some two steps. The motor is strong enough to hold that
-/// speed against anything.
+/// Accelerates the body from rest to its speed within some two steps. The motor is strong enough to hold that
+/// speed against any torque.
 class MotorScene final : public HingeScene {
  public:
   MotorScene(const Contender& contender, const JointStart& start) : HingeScene(contender, start, 0.0) {
@@ -71,7 +71,7 @@ class MotorScene final : public HingeScene {
   double moment_about_hinge() const { return spin_axis_B().cwiseAbs2().dot(inertia_B()); }
 };
 
-/// Two unlike bodies, half a metre apart, that turn together about their common centre.
+/// Two different bodies, half a metre apart, that turn together about their common centre.
 class WeldScene final : public JointScene {
  public:
   WeldScene(const Contender& contender, const JointStart& start)
@@ -105,7 +105,7 @@ class WeldScene final : public JointScene {
 const Vector3 WeldScene::kArm(0.5 / 3.0, 0.25 / 3.0, 0.5 / 3.0);
 const Quaternion WeldScene::kBesideA = exponential(Vector3(0.6, -0.3, 0.6));
 
-/// Turns about a point 0.3 m beside its centre, 27 degrees off the axis of spin.
+/// Turns about a point 0.3 m from its centre, 27 degrees off the axis of spin.
 class PointScene final : public JointScene {
  public:
   PointScene(const Contender& contender, const JointStart& start)
@@ -132,7 +132,7 @@ class PointScene final : public JointScene {
 
 const Vector3 PointScene::kArm(0.2, 0.1, 0.2);
 
-/// May not turn about the z axis of the world.
+/// Cannot turn about the world's z axis.
 class LockScene final : public JointScene {
  public:
   LockScene(const Contender& contender, const JointStart& start)
@@ -162,10 +162,10 @@ class LockScene final : public JointScene {
 
 const Vector3 LockScene::kFreeAxis(0.6, 0.8, 0.0);
 
-/// Swings through the orientation to which the spring pulls it, at the speed that takes it as far as
-/// kAmplitude. Steps of symplectic Euler, as Bullet's, turn the phase of a spring k by p where
-/// sin(p/2) = sqrt(k/I) dt/2; k is such that p about the axis of I_1, the fastest, is omega_dt. So there is a
-/// stable swing at any omega_dt below pi.
+/// Swings through the orientation to which the spring pulls it, at the speed that gives an amplitude of
+/// kAmplitude. Steps of symplectic Euler, as Bullet's, advance the phase of a spring k by p with sin(p/2) =
+/// sqrt(k/I) dt/2. k is chosen so that p about the axis of I_1, the fastest, is omega_dt. The swing is
+/// therefore stable for any omega_dt below pi.
 class SpringScene final : public JointScene {
  public:
   SpringScene(const Contender& contender, const JointStart& start)
@@ -196,7 +196,7 @@ class SpringScene final : public JointScene {
     return omega_B;
   }
 
-  // The rotation from the rest to where it is.
+  // The rotation from the rest orientation to the present one.
   Vector3 angle_W() const { return logarithm(rotation_of(body_).q_WB * rest_q_WB_.conjugate()); }
 
   void before_step() override { body_.applyTorque(to_bullet(-stiffness_ * angle_W())); }

@@ -12,7 +12,7 @@ namespace polhode::demos {
 std::vector<Contender> schemes_and_bullet(const std::vector<std::string>& scheme_names) {
   std::vector<std::string> names = scheme_names;
   if (names.empty()) names = {"exact"};
-  for (const std::string& name : names) find_scheme(name);  // a mode of Bullet's is none
+  for (const std::string& name : names) find_scheme(name);  // refuses Bullet's modes
   for (const char* mode : {"none", "explicit", "implicit_world", "implicit_body"}) {
     names.push_back(std::string("bullet:") + mode);
   }

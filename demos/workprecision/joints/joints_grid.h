@@ -9,13 +9,13 @@
 
 namespace polhode::demos {
 
-/// Returns the schemes of these names, or `exact` if there are none, and then Bullet's four modes for
+/// Returns the schemes with these names, or `exact` without names, followed by Bullet's four modes for
 /// comparison.
-/// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or one given twice
+/// @throws std::invalid_argument for an unknown name (the message lists the valid ones) or a repeated one
 std::vector<Contender> schemes_and_bullet(const std::vector<std::string>& scheme_names);
 
-/// Has for each contender and kind a cell for each |omega| dt, inertia ratio and tilt. The cells of a
-/// contender go kind by kind, |omega| dt by |omega| dt, ratio by ratio.
+/// A map with a cell for each contender, kind, |omega| dt, inertia ratio and tilt. The cells of a contender
+/// are ordered by kind, then |omega| dt, then ratio.
 struct JointsGrid : CellMap {
   JointsGrid() : CellMap(schemes_and_bullet({}), {0.01, 3.0, 16}, {1.0, 20.0, 8}) {}
 
@@ -53,8 +53,8 @@ struct JointCell {
 
 JointCell joint_cell_at(const JointsGrid& grid, std::int64_t index);
 
-/// The figures of a cell that did not diverge. A motor's energy gain means nothing: the motor works on its
-/// body.
+/// Returns the figures of a cell that did not diverge. The energy gain is meaningless for a motor, which does
+/// work on its body.
 inline double joint_error(const CellResult& result) {
   return result.figures[0];
 }

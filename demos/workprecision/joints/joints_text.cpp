@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The figures that are written for a cell. One that the cell does not have is empty.
+// The figures that are written for a cell. A missing figure is empty.
 struct WrittenFigures {
   std::optional<double> joint_error;
   std::optional<double> energy_gain;
@@ -44,7 +44,7 @@ Json verdict_json(const JointsVerdict& verdict) {
           {"bullet_diverged", verdict.bullet_diverged}};
 }
 
-/// The worst figures of some cells; empty where no cell has the figure.
+/// The worst figures of some cells; empty if no cell has the figure.
 struct Worst {
   std::optional<double> joint_error;
   std::optional<double> energy_gain;
@@ -53,7 +53,7 @@ struct Worst {
 
   void add(const CellResult& result, JointKind kind) {
     const WrittenFigures figures = figures_of(result, kind);
-    // An empty optional is less than any number.
+    // An empty optional compares as less than any number.
     joint_error = std::max(joint_error, figures.joint_error);
     energy_gain = std::max(energy_gain, figures.energy_gain);
     speed_error = std::max(speed_error, figures.speed_error);

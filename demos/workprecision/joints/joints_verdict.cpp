@@ -29,7 +29,7 @@ void add(JointsVerdict& verdict, JointKind kind, const CellResult& scheme, const
   }
 }
 
-// "3 of 390"
+// Returns for example "3 of 390".
 std::string part_text(std::int64_t part, std::int64_t all) {
   return number_text(part) + " of " + number_text(all);
 }
@@ -53,7 +53,7 @@ double joint_error_excess(const JointsGrid& grid, const std::vector<CellResult>&
 
 std::vector<JointsVerdict> joints_verdicts(const JointsGrid& grid, const std::vector<CellResult>& results) {
   const std::size_t cells = static_cast<std::size_t>(grid.cells_of_each());
-  const std::size_t schemes = grid.contenders.size() - 4;  // then Bullet's modes, its default the last
+  const std::size_t schemes = grid.contenders.size() - 4;  // followed by Bullet's modes, the default last
   const std::size_t bullet_begin = results.size() - cells;
   std::vector<JointsVerdict> verdicts;
   for (std::size_t i = 0; i < schemes; ++i) {

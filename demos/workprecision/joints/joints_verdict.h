@@ -13,10 +13,10 @@ namespace polhode::demos {
 struct JointsVerdict {
   std::string scheme;
   std::int64_t cells = 0;
-  std::int64_t cells_with_energy = 0;  ///< all but the motor's
+  std::int64_t cells_with_energy = 0;  ///< all cells except those of the motor
   std::int64_t worse_joint_error = 0;
   std::int64_t worse_energy_gain = 0;
-  std::int64_t worse_speed_error = 0;  ///< among the motor's cells
+  std::int64_t worse_speed_error = 0;  ///< of the motor's cells
   std::int64_t diverged = 0;
   std::int64_t bullet_diverged = 0;
   /// The largest excess of its joint error over the worst of Bullet's modes, in the cells up to kResolved in
@@ -30,8 +30,7 @@ inline constexpr double kEnergyGainFloor = 1.02;   // E/E0 up to here is never w
 inline constexpr double kEnergyGainFactor = 1.02;
 inline constexpr double kSpeedErrorMargin = 1e-2;
 
-/// rad a step. A step up to here resolves the gyroscopic motion, so that a scheme has to meet a stricter
-/// criterion.
+/// rad a step. Up to here a step resolves the gyroscopic motion, so a stricter criterion applies.
 inline constexpr double kResolved = 0.5;
 
 /// Returns the verdict of each scheme of the grid.
