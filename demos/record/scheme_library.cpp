@@ -35,7 +35,7 @@ boost::dll::shared_library load(const std::filesystem::path& file) {
 
 void require_this_version(const boost::dll::shared_library& library, const std::filesystem::path& file) {
   if (!library.has("polhode_scheme_library") || !library.has("polhode_scheme_library_version"))
-    refuse(file, "is no library of rotation schemes; valid is one made with POLHODE_SCHEME_LIBRARY");
+    refuse(file, "is not a library of rotation schemes; valid is one made with POLHODE_SCHEME_LIBRARY");
   const int version = library.get<int()>("polhode_scheme_library_version")();
   if (version / kPatches != POLHODE_VERSION / kPatches) {
     refuse(file, "was compiled for polhode " + version_text(version) + "; valid is " +

@@ -20,7 +20,8 @@ class KeyWatch {
     using Event = nlohmann::json::parse_event_t;
     if (levels_around >= kDeepestJson && (event == Event::object_start || event == Event::array_start)) {
       throw ScenarioError(file_name_ + ": lists and objects are nested deeper than " +
-                          std::to_string(kDeepestJson) + " levels; valid is up to that");
+                          std::to_string(kDeepestJson) + " levels; valid are at most " +
+                          std::to_string(kDeepestJson));
     }
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
@@ -35,7 +36,7 @@ class KeyWatch {
     last_key_ = key;
     if (!keys_.back().insert(key).second) {
       throw ScenarioError(file_name_ + ": \"" + shortened(key, kLongestQuote) +
-                          "\": the key is there twice, it may be given once");
+                          "\": the key is given twice; valid is once");
     }
   }
 
@@ -57,7 +58,7 @@ nlohmann::json parse_json(const std::string& text, const std::string& file_name)
   // The library would take a zero byte for the end of the text and ignore the rest.
   const std::size_t zero = text.find('\0');
   if (zero != std::string::npos) {
-    throw ScenarioError(file_name + ": its byte " + std::to_string(zero + 1) +
+    throw ScenarioError(file_name + ": byte " + std::to_string(zero + 1) +
                         " is a zero byte; valid is a JSON object");
   }
   KeyWatch watch(file_name);

@@ -52,7 +52,7 @@ void check_shape_count(const CheckedObject& object, const Scenario& scenario) {
   if (count <= kMostShapes) return;
   object.fail(scenario.others.empty() ? "shape" : "others",
               "makes it " + std::to_string(count) +
-                  " shapes in all, each part of a compound counted; valid is at most " +
+                  " shapes in total, counting each part of a compound; valid is at most " +
                   std::to_string(kMostShapes));
 }
 
@@ -85,7 +85,7 @@ Scenario read_scenario(const std::filesystem::path& file) {
     return parse_scenario(read_text_file(file, kLargestFile), file.string());
   } catch (const InputFileError& error) {
     throw ScenarioError(file.string() + ": " + error.what() + "; a scenario is a JSON file of at most " +
-                        std::to_string(kLargestFile) + " bytes, see --list for those at hand");
+                        std::to_string(kLargestFile) + " bytes; --list shows those available");
   }
 }
 

@@ -28,7 +28,7 @@ FreeBody body_of(const std::string& name) {
     }
     const Vector3 inertia_B = *scenario.body.inertia_B;
     const FreeBody body{inertia_B, scenario.body.q_WB, start_motion(scenario.body, inertia_B).omega_W};
-    if (body.omega_W.isZero(0.0)) throw std::invalid_argument("does not spin; valid is a body that does");
+    if (body.omega_W.isZero(0.0)) throw std::invalid_argument("does not spin; valid is a body that spins");
     return body;
   });
 }

@@ -132,7 +132,8 @@ void make_map(const CellMap& map, const MapRun& run, Ranks& ranks) {
   std::optional<MapRecord> record;
   ranks.together([&] {
     if (map.description() != first_ranks) {
-      throw std::runtime_error("the ranks were given different options or programs; valid are the same");
+      throw std::runtime_error(
+          "the ranks have different options or programs; valid are the same ones on all ranks");
     }
     if (ranks.is_first()) record.emplace(map, run);
   });
@@ -141,7 +142,7 @@ void make_map(const CellMap& map, const MapRun& run, Ranks& ranks) {
   } catch (const Interrupted& interrupted) {
     throw Interrupted(interrupted.signal(), "interrupted; the finished cells are in \"" +
                                                 journal_path(run.outputs).string() +
-                                                "\", from which the same command goes on");
+                                                "\", from which the same command resumes");
   }
   ranks.together([&] {
     if (record) record->finish();

@@ -68,7 +68,7 @@ std::string difference(const std::string& there, const std::string& here) {
   } catch (const ScenarioError&) {
     // Invalid JSON has no keys to compare.
   }
-  if (!a.is_object()) return "it is no journal of a map";
+  if (!a.is_object()) return "it is not the journal of a map";
   std::string text;
   const nlohmann::json b = nlohmann::json::parse(here);
   for (const auto& [key, value] : b.items()) {
@@ -77,7 +77,7 @@ std::string difference(const std::string& there, const std::string& here) {
     text += (text.empty() ? "" : "; ") + key + " is " + shortened(other.dump(), kLongestValue) +
             " there and " + value.dump() + " here";
   }
-  return text.empty() ? "its first line is not exactly this map's" : text;
+  return text.empty() ? "its first line differs from this map's" : text;
 }
 
 std::ifstream opened(const fs::path& file) {
@@ -109,13 +109,13 @@ void MapJournal::open(bool restart) {
   std::error_code error;
   const fs::file_status status = fs::status(path_, error);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    fail(path_, "the journal is not a regular file; valid is another output file, or to remove it");
+    fail(path_, "the journal is not a regular file; choose another output file or remove the journal");
   }
   descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(path_, std::string("cannot be written: ") + std::strerror(errno));
   if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
     ::close(descriptor_);
-    fail(path_, "another run is writing it; valid is another output file, or to wait for that run");
+    fail(path_, "another run is using it; choose another output file or wait for that run");
   }
   if (restart && ::ftruncate(descriptor_, 0) != 0) fail(path_, std::strerror(errno));
 }

@@ -66,7 +66,7 @@ class Subcommand {
   }
 
   void contenders(const std::string& names, std::vector<Contender>& value) {
-    add(names, "NAME", "A scheme or a mode of Bullet's; repeatable (default: all)",
+    add(names, "NAME", "A scheme or a mode of Bullet; repeatable (default: all)",
         [&value](const Texts& texts) { value = find_contenders(texts); })
         ->allow_extra_args(false);
     checks_.emplace_back([&value] {
@@ -75,7 +75,7 @@ class Subcommand {
   }
 
   void schemes(std::vector<Contender>& value) {
-    add("--scheme", "NAME", "A scheme; repeatable (default: exact). Bullet's modes are always there",
+    add("--scheme", "NAME", "A scheme; repeatable (default: exact). Bullet's modes always run",
         [&value](const Texts& texts) { value = schemes_and_bullet(texts); })
         ->allow_extra_args(false);
   }
@@ -97,8 +97,8 @@ class Subcommand {
   }
 
   void outputs(const std::string& what, Outputs& outputs) {
-    app_.add_option("--csv", outputs.csv, "Write " + what + " there")->type_name("FILE");
-    app_.add_option("--json", outputs.json, "Write " + what + " there")->type_name("FILE");
+    app_.add_option("--csv", outputs.csv, "Write " + what + " to this file")->type_name("FILE");
+    app_.add_option("--json", outputs.json, "Write " + what + " to this file")->type_name("FILE");
     checks_.emplace_back([&outputs] {
       check_different_files({{"--csv", outputs.csv}, {"--json", outputs.json}});
     });
@@ -137,16 +137,18 @@ void declare_body(Subcommand& command, FreeBody& body) {
 void declare(Subcommand& command, CurveOptions& options) {
   declare_body(command, options.body);
   command.app()
-      .add_option("--scenario", options.scenario, "A free body's scenario, in place of these two")
+      .add_option("--scenario", options.scenario, "A free body's scenario, instead of these two")
       ->type_name("NAME|FILE.json")
       ->excludes("--inertia")
       ->excludes("--omega");
   command.contenders("--contender", options.contenders);
-  command.number("--time", "When the error is measured, s (default: 10)", kDurationRange, options.time_s);
+  command.number("--time", "Time at which the error is measured, s (default: 10)", kDurationRange,
+                 options.time_s);
   command.number("--dt-from", "Largest step, s (default: 1/15)", kDtRange, options.dt_from_s);
-  command.whole_number("--levels", "How many steps, each half the one before (default: 8)", kLevelRange,
+  command.whole_number("--levels", "Number of steps, each half the one before (default: 8)", kLevelRange,
                        options.levels);
-  command.whole_number("--rounds", "Of the measurement of cost (default: 21)", kRoundRange, options.rounds);
+  command.whole_number("--rounds", "Rounds of the cost measurement (default: 21)", kRoundRange,
+                       options.rounds);
   command.outputs("the points", options.outputs);
 }
 
@@ -154,25 +156,25 @@ void declare(Subcommand& command, CostOptions& options) {
   declare_body(command, options.body);
   command.contenders("--contender", options.contenders);
   command.number("--dt", "Length of a step, s (default: 1/60)", kDtRange, options.dt_s);
-  command.whole_number("--rounds", "Of the measurement (default: 201)", kRoundRange, options.rounds);
+  command.whole_number("--rounds", "Rounds of the measurement (default: 201)", kRoundRange, options.rounds);
   command.outputs("the costs", options.outputs);
 }
 
 void declare_run(Subcommand& command, MapRun& run) {
-  command.whole_number("--threads", "Of each process (default: one per core; under MPI one)", kThreadRange,
-                       run.threads);
-  command.app().add_flag("--restart", run.restart, "Start over in place of going on");
+  command.whole_number("--threads", "Threads of each process (default: one per core; with MPI one)",
+                       kThreadRange, run.threads);
+  command.app().add_flag("--restart", run.restart, "Start over instead of resuming");
   command.outputs("the map", run.outputs);
 }
 
 void declare(Subcommand& command, MapOptions& options) {
   MapGrid& grid = options.grid;
   command.contenders("--contender,--scheme", grid.contenders);
-  command.axis("--omega-dt", "|omega| dt, rad: from, to, how many (default: 0.01 3 48)", kOmegaDtRange,
+  command.axis("--omega-dt", "|omega| dt, rad: from, to, count (default: 0.01 3 48)", kOmegaDtRange,
                grid.omega_dt);
-  command.axis("--inertia-ratio", "I_3/I_1: from, to, how many (default: 1.1 20 24)", kRatioRange,
+  command.axis("--inertia-ratio", "I_3/I_1: from, to, count (default: 1.1 20 24)", kRatioRange,
                grid.inertia_ratio);
-  command.whole_number("--steps", "Of each cell (default: 1000)", kStepsRange, grid.steps);
+  command.whole_number("--steps", "Steps of each cell (default: 1000)", kStepsRange, grid.steps);
   command.start(grid.start);
   declare_run(command, options.run);
 }
@@ -181,14 +183,15 @@ void declare(Subcommand& command, JointsOptions& options) {
   JointsGrid& grid = options.grid;
   command.schemes(grid.contenders);
   command.kinds(grid.kinds);
-  command.axis("--omega-dt", "|omega| dt, rad: from, to, how many (default: 0.01 3 16)", kJointOmegaDtRange,
+  command.axis("--omega-dt", "|omega| dt, rad: from, to, count (default: 0.01 3 16)", kJointOmegaDtRange,
                grid.omega_dt);
-  command.axis("--inertia-ratio", "I_3/I_1: from, to, how many (default: 1 20 8)", kRatioRange,
+  command.axis("--inertia-ratio", "I_3/I_1: from, to, count (default: 1 20 8)", kRatioRange,
                grid.inertia_ratio);
-  command.axis("--tilt", "Of the spin from the axis of I_1, rad: from, to, how many (default: 0 pi/2 7)",
+  command.axis("--tilt",
+               "Angle between the spin and the axis of I_1, rad: from, to, count (default: 0 pi/2 7)",
                kTiltRange, grid.tilt);
   command.number("--dt", "Length of a step, s (default: 1/60)", kJointDtRange, grid.dt_s);
-  command.number("--time", "Of each cell, s (default: 10)", kJointTimeRange, grid.time_s);
+  command.number("--time", "Simulated time of each cell, s (default: 10)", kJointTimeRange, grid.time_s);
   declare_run(command, options.run);
 }
 
@@ -204,17 +207,18 @@ void check(const std::string& command, const MapRun& run) {
 }  // namespace
 
 std::optional<WorkPrecisionOptions> parse_work_precision_options(int argument_count, char** arguments) {
-  CLI::App app("Sets the schemes' and Bullet's errors, costs and limits of stability side by side.");
+  CLI::App app("Compares errors, costs and limits of stability of the schemes and of Bullet.");
   app.set_version_flag("--version", std::string("polhode ") + kVersion);
   app.require_subcommand(1);
   CurveOptions curve;
   CostOptions cost;
   MapOptions map;
   JointsOptions joints;
-  Subcommand curve_command(app, "curve", "Error against cost over a ladder of time steps");
-  Subcommand cost_command(app, "cost", "What a step costs");
+  Subcommand curve_command(app, "curve", "Error against cost for a series of time steps");
+  Subcommand cost_command(app, "cost", "Time that a step takes");
   Subcommand map_command(app, "map", "Energy error over |omega| dt and the inertia ratio");
-  Subcommand joints_command(app, "joints", "Joint errors and energy of constrained bodies, against Bullet's");
+  Subcommand joints_command(app, "joints",
+                            "Joint errors and energy of constrained bodies, compared with Bullet");
   declare(curve_command, curve);
   declare(cost_command, cost);
   declare(map_command, map);

@@ -38,18 +38,18 @@ EGLContext make_context(EGLDisplay display) {
                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                        EGL_NONE};
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
-  if (context == EGL_NO_CONTEXT) refuse("no context of that version");
+  if (context == EGL_NO_CONTEXT) refuse("no context of this version");
   return context;
 }
 
 }  // namespace
 
 HeadlessContext::HeadlessContext() {
-  if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) refuse("it does not know OpenGL");
+  if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) refuse("it does not support OpenGL");
   display_ = open_display();
   context_ = make_context(display_);
   if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
-    refuse("a context needs a surface here");
+    refuse("it does not support contexts without a surface");
   }
 }
 

@@ -90,7 +90,7 @@ void draw_plot(const Simulation& simulation, const PlotSubject& subject, const R
                                      [&](const Curve& curve) { return leaves(curve, axes.value); });
   const bool is_known = std::any_of(curves.begin(), curves.end(), [](const Curve& c) { return !c.empty(); });
   std::string remark;
-  if (!is_known) remark = "not known here";
+  if (!is_known) remark = "unknown here";
   if (leaving > 0) remark = number_text(static_cast<std::int64_t>(leaving)) + " off the scale";
   list.AddText({area.left + scaled(kLeftMargin), area.top + scaled(5.0f)}, im_color(kInk),
                subject.title().c_str());

@@ -30,20 +30,21 @@ struct NumberTexts {
 
 void add_options(CLI::App& app, ViewerOptions& options, NumberTexts& texts) {
   app.set_version_flag("--version", std::string("polhode ") + kVersion);
-  app.add_option("--scenario", options.scenario, "A name that polhode_compare --list shows, or a .json file")
+  app.add_option("--scenario", options.scenario, "A name from polhode_compare --list, or a .json file")
       ->type_name("NAME|FILE.json")
       ->capture_default_str();
   app.add_option("--contender", options.contenders,
-                 "Repeatable (default: exact, the handout's, those of scheme libraries, Bullet's)")
+                 "A name from polhode_compare --list; repeatable (default: as in polhode_compare)")
       ->type_name("NAME")
       ->allow_extra_args(false);
   add_scheme_library_option(app);
-  app.add_option("--dt", texts.dt, "Length of a step, in place of the scenario's")->type_name("SECONDS");
+  app.add_option("--dt", texts.dt, "Length of a step, instead of the scenario's")->type_name("SECONDS");
   app.add_option("--speed", texts.speed, "Simulated time per real time (default: 1)")->type_name("FACTOR");
-  app.add_option("--at", texts.at, "Open at that time (default: 0)")->type_name("SECONDS");
-  app.add_option("--screenshot", options.screenshot, "Write the picture there, without a display, and exit")
+  app.add_option("--at", texts.at, "Open at this time (default: 0)")->type_name("SECONDS");
+  app.add_option("--screenshot", options.screenshot,
+                 "Write a picture to this file, without a display, and exit")
       ->type_name("FILE.png");
-  app.add_option("--record", options.record, "Write the run there when the viewer is closed")
+  app.add_option("--record", options.record, "Write the run to this file when the viewer is closed")
       ->type_name("FILE");
   app.add_option("--replay", options.replay, "Run a recording again and compare every bit")
       ->type_name("FILE")
@@ -51,9 +52,11 @@ void add_options(CLI::App& app, ViewerOptions& options, NumberTexts& texts) {
       ->excludes("--contender")
       ->excludes("--dt");
   app.add_flag("--through-window", options.through_window,
-               "Take the screenshot from a window of the display");
-  app.add_option("--width", texts.width, "Of window and screenshot (default: 1600)")->type_name("PIXELS");
-  app.add_option("--height", texts.height, "Likewise (default: 1000)")->type_name("PIXELS");
+               "Take the screenshot in a hidden window of the display");
+  app.add_option("--width", texts.width, "Width of window and screenshot (default: 1600)")
+      ->type_name("PIXELS");
+  app.add_option("--height", texts.height, "Height of window and screenshot (default: 1000)")
+      ->type_name("PIXELS");
   app.add_flag("--teaching", options.is_teaching, "Open with inertia ellipsoid, polhode and herpolhode");
   app.add_flag("--no-panels", options.has_no_panels, "Open without controls and plots");
 }

@@ -63,7 +63,7 @@ Recording recording_of(const std::string& line, const std::string& file) {
   if (!header.contains("scenario") || !header.contains("contenders")) refuse(file, "its header lacks keys");
   std::vector<std::string> names;
   for (const nlohmann::json& name : header["contenders"]) {
-    if (!name.is_string()) refuse(file, "a contender in its header is no text");
+    if (!name.is_string()) refuse(file, "a contender in its header is not text");
     names.push_back(name);
   }
   if (names.empty()) refuse(file, "its header has no contenders");
@@ -135,7 +135,7 @@ void check_shown_step(const Recording& recording, const Simulation& simulation) 
   const std::vector<std::uint64_t>& recorded = recording.digests[static_cast<std::size_t>(step)];
   for (std::size_t index = 0; index < simulation.size(); ++index) {
     if (simulation.run(index).digest_at(step) == recorded.at(index)) continue;
-    throw std::runtime_error("the replay leaves the recording in step " + number_text(step) + " of " +
+    throw std::runtime_error("the replay differs from the recording in step " + number_text(step) + " of " +
                              simulation.run(index).contender().name + " (t = " +
                              short_number_text(simulation.shown_t_s(), 6) + " s): its bits are others");
   }

@@ -45,7 +45,7 @@ void Session::advance(double real_s, std::chrono::nanoseconds budget) {
       const std::vector<std::string> diverged = step_simulation();
       if (!diverged.empty()) {
         is_running_ = false;
-        return note_divergence(diverged, "paused; Space goes on");
+        return note_divergence(diverged, "paused; Space continues");
       }
     } catch (const std::runtime_error& error) {
       is_running_ = false;

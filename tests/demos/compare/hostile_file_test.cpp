@@ -77,13 +77,13 @@ const HostileFile kHostileFiles[] = {
     {"million_bodies", [] { return body_with(",\"others\":" + list_of(1000000, kOther)); },
      "has more than 1048576 bytes"},
     {"bodies_up_to_the_size", [] { return body_with(",\"others\":" + list_of(50000, kOther)); },
-     "\"others\": makes it 50001 shapes in all"},
+     "\"others\": makes it 50001 shapes in total"},
     {"parts_up_to_the_size",
      [] {
        return R"({"dt":0.1,"duration":1,"shape":{"type":"compound","parts":)" +
               list_of(30000, R"({"half_extents":[1,1,1],"mass":1})") + "}}";
      },
-     "\"shape\": makes it 30000 shapes in all"},
+     "\"shape\": makes it 30000 shapes in total"},
     {"million_brackets", [] { return times(1000000, "["); }, kTooDeep},
     {"deep_objects", [] { return times(170000, R"({"a":)"); }, kTooDeep},
     {"deep_value", [] { return body_with(",\"mass\":" + times(500000, "[") + times(500000, "]")); },
@@ -92,7 +92,7 @@ const HostileFile kHostileFiles[] = {
      "\"mass\": must be a finite number"},
     {"many_keys", [] { return body_with(many_keys(90000)); }, "\"0\": unknown key"},
     {"key_twice", [] { return body_with(many_keys(90000) + ",\"89999\":0"); },
-     "\"89999\": the key is there twice"},
+     "\"89999\": the key is given twice"},
     {"long_text", [] { return body_with(",\"name\":\"" + times(1000000, "a") + "\""); },
      "\"name\": must be a text of at most 1024 bytes, has 1000000"},
     {"long_number", [] { return body_with(",\"mass\":" + times(1000000, "9")); },

@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"/no/such.so", "cannot be loaded"}, Refused{"/", "cannot be loaded"},
         Refused{__FILE__, "cannot be loaded"},
         Refused{POLHODE_LIBRARY_WITHOUT_SCHEMES,
-                "is no library of rotation schemes; valid is one made with POLHODE_SCHEME_LIBRARY"},
+                "is not a library of rotation schemes; valid is one made with POLHODE_SCHEME_LIBRARY"},
         Refused{POLHODE_OTHER_VERSION, "was compiled for polhode 0.99; valid is 0."},
         Refused{POLHODE_BUILT_IN_NAME, "the rotation scheme \"rk4\" is built in: choose another name"}));
 

@@ -272,16 +272,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{body_with(", \"name\": \"a\xff\""),
                 "parse error at line 1, column 61: syntax error while parsing value - invalid string: "
                 "ill-formed UTF-8 byte; last read: '\"a\xff'; valid is a JSON object"},
-        BadText{body_with("") + std::string("\0, 1", 4),
-                "its byte 50 is a zero byte; valid is a JSON object"},
+        BadText{body_with("") + std::string("\0, 1", 4), "byte 50 is a zero byte; valid is a JSON object"},
         BadText{std::string(17, '['),
-                "lists and objects are nested deeper than 16 levels; valid is up to that"},
+                "lists and objects are nested deeper than 16 levels; valid are at most 16"},
         BadText{body_with(", \"mass\": " + std::string(400000, '[') + std::string(400000, ']')),
-                "lists and objects are nested deeper than 16 levels; valid is up to that"},
-        BadText{body_with(R"(, "mass": 1, "mass": 2)"),
-                "\"mass\": the key is there twice, it may be given once"},
+                "lists and objects are nested deeper than 16 levels; valid are at most 16"},
+        BadText{body_with(R"(, "mass": 1, "mass": 2)"), "\"mass\": the key is given twice; valid is once"},
         BadText{body_with(R"(, "damping": {"linear": 0, "linear": 0})"),
-                "\"linear\": the key is there twice, it may be given once"}));
+                "\"linear\": the key is given twice; valid is once"}));
 
 const std::string kOneLine = "must be one line without control characters or directional formatting, has \"";
 
@@ -324,7 +322,7 @@ TEST(ScenarioReader, NamesAFileThatIsNotThere) {
 TEST(ScenarioReader, SaysWhatAFileMayBe) {
   const TemporaryDirectory directory;
   const std::string valid =
-      "; a scenario is a JSON file of at most 1048576 bytes, see --list for those at hand";
+      "; a scenario is a JSON file of at most 1048576 bytes; --list shows those available";
   EXPECT_THAT([&] { read_scenario(directory.path()); },
               testing::ThrowsMessage<ScenarioError>(directory.path().string() +
                                                     ": neither a regular file nor a pipe" + valid));
@@ -358,7 +356,7 @@ std::string others(const std::string& shape, int count) {
 TEST(ScenarioReader, TakesTwoHundredShapesInAll) {
   const std::string sphere = R"({"type": "sphere", "radius": 1})";
   EXPECT_EQ(message_of(body_with(others(sphere, 199))), "no error");
-  const std::string valid = " shapes in all, each part of a compound counted; valid is at most 200";
+  const std::string valid = " shapes in total, counting each part of a compound; valid is at most 200";
   EXPECT_EQ(message_of(body_with(others(sphere, 200))), "bad.json: \"others\": makes it 201" + valid);
   EXPECT_EQ(message_of(body_with(others(boxes(50), 4))), "bad.json: \"others\": makes it 201" + valid);
   EXPECT_EQ(message_of(body_with(", \"shape\": " + boxes(201))), "bad.json: \"shape\": makes it 201" + valid);

@@ -53,7 +53,7 @@ TEST_F(RecordingFile, NamesTheStepInWhichAReplayLeavesIt) {
   session.apply(Action::run_or_pause);
   for (int i = 0; i < 50; ++i) session.advance(0.1, std::chrono::seconds(60));
   EXPECT_FALSE(session.is_running());
-  EXPECT_THAT(session.notice(), HasSubstr("leaves the recording in step 17 of bullet:none"));
+  EXPECT_THAT(session.notice(), HasSubstr("differs from the recording in step 17 of bullet:none"));
 }
 
 TEST_F(RecordingFile, OfAnotherScenarioIsLeftAtOnce) {
@@ -62,7 +62,7 @@ TEST_F(RecordingFile, OfAnotherScenarioIsLeftAtOnce) {
   const std::size_t at = text.find(before);
   ASSERT_NE(at, std::string::npos);
   write_file(file_, text.replace(at, before.size(), "\"dt\":0.0300000000001"));
-  EXPECT_THAT(error_of_replay(), HasSubstr("leaves the recording in step 1 of exact"));
+  EXPECT_THAT(error_of_replay(), HasSubstr("differs from the recording in step 1 of exact"));
 }
 
 TEST_F(RecordingFile, ThatIsNoneIsRefused) {

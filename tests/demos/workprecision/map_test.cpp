@@ -59,7 +59,7 @@ TEST_F(StabilityMap, SaysWhereItStandsWhenItIsStopped) {
   stopped->send_signal(SIGTERM);
   const CommandResult result = stopped->wait();
   EXPECT_EQ(result.exit_code, 128 + SIGTERM);
-  EXPECT_THAT(result.standard_error, HasSubstr("out.csv.partial\", from which the same command goes on"));
+  EXPECT_THAT(result.standard_error, HasSubstr("out.csv.partial\", from which the same command resumes"));
   EXPECT_EQ(directory_.file_count(), 1) << "the journal";
 }
 
@@ -106,7 +106,7 @@ TEST_F(StabilityMap, RefusesTheJournalOfAnotherMapAndSaysWhatDiffers) {
 
 TEST_F(StabilityMap, RefusesAFileThatIsNoJournal) {
   write_file(directory_ / "out.csv.partial", "dear diary\n");
-  EXPECT_THAT(expect_refusal(), HasSubstr("it is no journal of a map"));
+  EXPECT_THAT(expect_refusal(), HasSubstr("it is not the journal of a map"));
   EXPECT_EQ(read_file(directory_ / "out.csv.partial"), "dear diary\n");
 }
 
@@ -139,7 +139,7 @@ TEST_F(StabilityMap, ReadsAHostileJournalInLittleMemory) {
     std::filesystem::resize_file(journal, std::uintmax_t{2} << 30);  // with zeros
     const CommandResult result = Command(POLHODE_WORKPRECISION_EXECUTABLE, arguments("out.csv")).wait();
     EXPECT_EQ(result.exit_code, 2);
-    EXPECT_THAT(result.standard_error, HasSubstr("it is no journal of a map"));
+    EXPECT_THAT(result.standard_error, HasSubstr("it is not the journal of a map"));
     EXPECT_LT(result.peak_megabytes, 60.0 * kMemoryFactor);  // measured 15
     EXPECT_LT(result.processor_seconds, 1.0);                // measured 0.005
   }
@@ -168,7 +168,7 @@ TEST_F(StabilityMap, RefusesAJournalThatIsNoRegularFile) {
 
 TEST_F(StabilityMap, RefusesAJournalThatAnotherRunIsWriting) {
   const auto first = under_way("out.csv");
-  EXPECT_THAT(expect_refusal(long_run_), HasSubstr("another run is writing it"));
+  EXPECT_THAT(expect_refusal(long_run_), HasSubstr("another run is using it"));
   first->send_signal(SIGKILL);
   first->wait();
 }
