@@ -1,12 +1,14 @@
 #include "command_line/interruption.h"
 
 #include <csignal>
+#include <utility>
 
 namespace polhode::demos {
 
 namespace {
 
 volatile std::sig_atomic_t noted_signal = 0;
+thread_local const std::function<void()>* host_check = nullptr;
 
 extern "C" void note_signal(int signal) {
   noted_signal = signal;
@@ -34,7 +36,16 @@ int interrupting_signal() {
   return noted_signal;
 }
 
+InterruptionCheck::InterruptionCheck(std::function<void()> check) : check_(std::move(check)) {
+  host_check = &check_;
+}
+
+InterruptionCheck::~InterruptionCheck() {
+  host_check = nullptr;
+}
+
 void throw_if_interrupted() {
+  if (host_check != nullptr) (*host_check)();
   if (noted_signal != 0) throw Interrupted(noted_signal);
 }
 

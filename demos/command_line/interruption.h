@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -24,7 +25,20 @@ void watch_for_interruption();
 /// Returns the signal noted, 0 if there is none.
 int interrupting_signal();
 
-/// @throws Interrupted if one was noted.
+/// Lets throw_if_interrupted ask `check` too, in this thread, while it lives: for a host that has signals of its own,
+/// as Python. `check` may throw anything.
+class InterruptionCheck {
+ public:
+  explicit InterruptionCheck(std::function<void()> check);
+  ~InterruptionCheck();
+  InterruptionCheck(const InterruptionCheck&) = delete;
+  InterruptionCheck& operator=(const InterruptionCheck&) = delete;
+
+ private:
+  std::function<void()> check_;
+};
+
+/// @throws Interrupted if a signal was noted, and what a check throws.
 void throw_if_interrupted();
 
 }  // namespace polhode::demos

@@ -2,16 +2,15 @@
 
 #include "command_line/interruption.h"
 #include "command_line/progress_bar.h"
+#include "compare/side_by_side.h"
 #include "record/comparison_json.h"
 #include "record/csv.h"
 #include "record/output_file.h"
 #include "record/table.h"
-#include "report/report.h"
 #include "scenario/named_error.h"
 #include "scenario/printable_text.h"
 #include "scenario/scenario_directory.h"
 #include "world/body_shape.h"
-#include "world/run.h"
 
 namespace polhode::demos {
 
@@ -50,26 +49,20 @@ struct Files {
   }
 };
 
-void run_all(const std::vector<Contender>& contenders, Files& files, Report& report) {
-  const Scenario& scenario = report.comparison.scenario;
+// The report, run with the progress shown and the CSV file written.
+Report run_all(const Scenario& scenario, const ChosenContenders& chosen, const std::string& command,
+               Files& files) {
   const std::int64_t steps = step_count(scenario.dt, scenario.duration);
-  ProgressBar progress(steps * static_cast<std::int64_t>(contenders.size()));
-  std::int64_t steps_before = 0;
-  for (const Contender& contender : contenders) {
-    SeriesRecorder series(*scenario.body.inertia_B, scenario.dt, steps, most_records(contenders.size()));
-    Sample start;
-    const auto observe = [&](const Sample& sample) {
-      throw_if_interrupted();
-      if (sample.step == 0) start = sample;
-      progress.show(steps_before + sample.step, contender.name);
-      if (files.csv) files.csv->write(csv_row(contender.name, {sample, start, *scenario.body.inertia_B}));
-      if (files.report) series.add(sample);
-    };
-    report.comparison.contenders.push_back({contender.name, run(scenario, contender, observe)});
-    report.summaries.push_back(contender.summary);
-    report.series.push_back(series.finish());
-    steps_before += steps;
-  }
+  ProgressBar progress(steps * static_cast<std::int64_t>(chosen.contenders.size()));
+  Sample start;
+  const auto observe = [&](std::size_t contender, const Sample& sample) {
+    const std::string& name = chosen.contenders[contender].name;
+    throw_if_interrupted();
+    progress.show(static_cast<std::int64_t>(contender) * steps + sample.step, name);
+    if (sample.step == 0) start = sample;
+    if (files.csv) files.csv->write(csv_row(name, {sample, start, *scenario.body.inertia_B}));
+  };
+  return run_side_by_side(scenario, chosen, command, observe);
 }
 
 }  // namespace
@@ -77,10 +70,8 @@ void run_all(const std::vector<Contender>& contenders, Files& files, Report& rep
 Comparison compare(const Options& options) {
   const Scenario scenario = chosen_scenario(options);
   const ChosenContenders chosen = chosen_contenders(options.contenders, scenario);
-  Report report{
-      {scenario, bullet_precision(), {}, chosen.note}, {}, {}, drawn_body(scenario.body), options.command};
   Files files(options);
-  run_all(chosen.contenders, files, report);
+  const Report report = run_all(scenario, chosen, options.command, files);
   files.write(report);
   return report.comparison;
 }

@@ -18,21 +18,6 @@ namespace polhode::demos {
 
 namespace {
 
-FreeBody body_of(const std::string& name) {
-  return naming_the_scenario(name, [&] {
-    const Scenario scenario = resolved(find_scenario(name));
-    if (!scenario.is_torque_free() || scenario.has_rotors()) {
-      throw std::invalid_argument(
-          "not a free body; valid is one without torque, torque law, rotors, damping, constraint, ground and "
-          "others");
-    }
-    const Vector3 inertia_B = *scenario.body.inertia_B;
-    const FreeBody body{inertia_B, scenario.body.q_WB, start_motion(scenario.body, inertia_B).omega_W};
-    if (body.omega_W.isZero(0.0)) throw std::invalid_argument("does not spin; valid is a body that spins");
-    return body;
-  });
-}
-
 std::string declared_order(const Contender& contender) {
   if (const SchemePointer* scheme = std::get_if<SchemePointer>(&contender.method)) {
     return order_text((*scheme)->description().order);
@@ -114,11 +99,28 @@ void add_costs(const CurveOptions& options, const Ladder& ladder,
   for (std::size_t i = 0; i < points.size(); ++i) points[i].cost = costs[levels + i];
 }
 
-Curve measured(const CurveOptions& options) {
-  Curve curve{options.scenario ? body_of(*options.scenario) : options.body, options.time_s, {}};
+}  // namespace
+
+std::optional<double> CurvePoint::ns_per_simulated_second() const {
+  return cost ? std::optional(cost->ns_per_step / dt_s) : std::nullopt;
+}
+
+FreeBody free_body(const Scenario& scenario) {
+  if (!scenario.is_torque_free() || scenario.has_rotors()) {
+    throw std::invalid_argument(
+        "not a free body; valid is one without torque, torque law, rotors, damping, constraint, ground and "
+        "others");
+  }
+  const Vector3 inertia_B = *resolved(scenario).body.inertia_B;
+  const FreeBody body{inertia_B, scenario.body.q_WB, start_motion(scenario.body, inertia_B).omega_W};
+  if (body.omega_W.isZero(0.0)) throw std::invalid_argument("does not spin; valid is a body that does");
+  return body;
+}
+
+Curve measure_curve(const CurveOptions& options, const CurveProgress& progress) {
+  Curve curve{options.body, options.time_s, {}};
   const Ladder ladder(options, curve.body);
   std::vector<std::unique_ptr<Kernel>> kernels;
-  ProgressBar progress(static_cast<std::int64_t>(options.contenders.size()));
   for (const Contender& contender : options.contenders) {
     for (std::int64_t level = 0; level < options.levels; ++level) {
       kernels.push_back(ladder.kernel(contender, level));
@@ -126,21 +128,22 @@ Curve measured(const CurveOptions& options) {
       if (level > 0) add_observed_order(point, curve.points.back());
       curve.points.push_back(point);
     }
-    progress.show(static_cast<std::int64_t>(kernels.size()) / options.levels, contender.name);
+    progress(static_cast<std::int64_t>(kernels.size()) / options.levels, contender.name);
   }
   add_costs(options, ladder, kernels, curve.points);
   return curve;
 }
 
-}  // namespace
-
-std::optional<double> CurvePoint::ns_per_simulated_second() const {
-  return cost ? std::optional(cost->ns_per_step / dt_s) : std::nullopt;
-}
-
 Curve curve(const CurveOptions& options) {
   OutputFiles files(options.outputs.csv, options.outputs.json);
-  const Curve result = measured(options);
+  CurveOptions of_scenario = options;
+  if (options.scenario) {
+    of_scenario.body =
+        naming_the_scenario(*options.scenario, [&] { return free_body(find_scenario(*options.scenario)); });
+  }
+  ProgressBar bar(static_cast<std::int64_t>(options.contenders.size()));
+  const Curve result = measure_curve(
+      of_scenario, [&](std::int64_t done, const std::string& contender) { bar.show(done, contender); });
   files.write(curve_csv(result), curve_json(result));
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,17 @@ struct Curve {
   double time_s;
   std::vector<CurvePoint> points;  ///< contender by contender, from the largest time step to the smallest
 };
+
+/// Returns the body of a scenario.
+/// @throws std::invalid_argument if it is not free, or does not spin
+FreeBody free_body(const Scenario& scenario);
+
+/// Receives the number of contenders that are done, and the name of the last one.
+using CurveProgress = std::function<void(std::int64_t done, const std::string& contender)>;
+
+/// Measures the curve of `options.body`.
+/// @throws std::invalid_argument for less than one step, or more than kMostSteps; Interrupted
+Curve measure_curve(const CurveOptions& options, const CurveProgress& progress);
 
 /// Runs the measurement that the options describe and writes its files.
 /// @throws std::exception that says what is wrong and what is valid; no file is written then
