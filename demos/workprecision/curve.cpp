@@ -113,7 +113,7 @@ FreeBody free_body(const Scenario& scenario) {
   }
   const Vector3 inertia_B = *resolved(scenario).body.inertia_B;
   const FreeBody body{inertia_B, scenario.body.q_WB, start_motion(scenario.body, inertia_B).omega_W};
-  if (body.omega_W.isZero(0.0)) throw std::invalid_argument("does not spin; valid is a body that does");
+  if (body.omega_W.isZero(0.0)) throw std::invalid_argument("does not spin; valid is a body that spins");
   return body;
 }
 

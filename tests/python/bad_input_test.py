@@ -138,7 +138,7 @@ def test_compare_says_what_is_valid(arguments, error, message):
         (
             {"scenario": {"inertia": [1, 2, 3], "dt": 1, "duration": 1}},
             ValueError,
-            "does not spin; valid is a body that does",
+            "does not spin; valid is a body that spins",
         ),
         ({"levels": 0}, ValueError, "levels must be from 1 to 30, is 0"),
         ({"rounds": 0}, ValueError, "rounds must be from 1 to 1e.06, is 0"),
