@@ -9,7 +9,7 @@ class BodyModel {
     this.radius = BodyModel.radiusOf(report.body);
     this.root = new THREE.Group();
 
-    this.solid = new THREE.Group();  // moves by R_WB as it is, rotation or not
+    this.solid = new THREE.Group();  // transformed by R_WB, rotation or not
     this.solid.matrixAutoUpdate = false;
     this.ghost = new THREE.Group();  // the same in its true size
     this.ghost.matrixAutoUpdate = false;
@@ -21,7 +21,7 @@ class BodyModel {
     this.addAxes();
     this.addJoint();
 
-    // Where they are parallel the thin ones reach out of the thick ones.
+    // Where arrows are parallel, the thin ones extend beyond the thick ones.
     this.omega = new Arrow(this.radius, "\u03c9", 0.024, 1.5);
     this.momentum = new Arrow(this.radius, "L", 0.042, 1.12);
     this.rotor = new Arrow(this.radius, "h", 0.06, 1.12);
@@ -31,7 +31,7 @@ class BodyModel {
     this.applyPalette();
   }
 
-  /** Of a sphere around the origin that holds the body. */
+  /** Returns the radius of a sphere around the origin that encloses the body. */
   static radiusOf(body) {
     if (!body.parts) return body.radius;
     const corner = new THREE.Vector3();
@@ -139,7 +139,7 @@ class BodyModel {
   }
 }
 
-/** A vector that starts in the centre of mass. What the body hides of it shines through faintly. */
+/** A vector that starts in the centre of mass. Its part inside the body shines through faintly. */
 class Arrow {
   constructor(radius, name, thickness, reachAtStart) {
     this.radius = radius;
@@ -163,7 +163,7 @@ class Arrow {
     this.root.add(this.turned, this.letter.sprite);
   }
 
-  /** The longest at the start reaches out of the body; a much greater one ends with the view. */
+  /** Scales vectors so that the longest initial one extends beyond the body. Much greater ones end with the view. */
   point(position, vector, longest, scale, letterScale) {
     const size = length(vector);
     this.root.visible = Number.isFinite(size) && size > 0 && longest > 0;
@@ -216,7 +216,7 @@ function length(vector) {
   return Math.hypot(...vector);
 }
 
-/** R column by column, and the position. */
+/** Returns R column by column, and the position. */
 function setMatrix(object, R, position) {
   object.matrix.set(
     R[0], R[3], R[6], position[0],
@@ -226,7 +226,7 @@ function setMatrix(object, R, position) {
   object.matrixWorldNeedsUpdate = true;
 }
 
-/** A rotation that is close to the matrix: its columns, made perpendicular in turn. */
+/** Returns a rotation close to the matrix: its columns, orthogonalized one after the other. */
 function orthonormal(R) {
   const x = new THREE.Vector3(R[0], R[1], R[2]).normalize();
   const y = new THREE.Vector3(R[3], R[4], R[5]);
@@ -241,7 +241,7 @@ function white(geometry) {
   return geometry;
 }
 
-/** A sphere whose octants are light and dark in turn: of one colour, it would not be seen to turn. */
+/** Returns a sphere with light and dark octants, which make its rotation visible. */
 function beachBall(radius) {
   const ball = new THREE.SphereGeometry(radius, 48, 32).toNonIndexed();
   const positions = ball.attributes.position;
@@ -257,7 +257,7 @@ function beachBall(radius) {
   return ball;
 }
 
-/** Outlines of a sphere: where the planes of the axes cut it. */
+/** Returns the outlines of a sphere: its intersections with the planes of the axes. */
 function greatCircles(radius) {
   const points = [];
   for (let plane = 0; plane < 3; ++plane) {

@@ -1,6 +1,6 @@
 "use strict";
 
-// The list of contenders, in which each can be hidden in all views and plots.
+// The list of contenders. Each can be hidden in all views and plots.
 
 class ContenderList extends EventTarget {
   constructor(report) {

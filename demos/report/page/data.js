@@ -1,17 +1,17 @@
 "use strict";
 
-// What polhode_compare wrote into the page, decoded; and the times that all contenders share.
+// Decodes the data that polhode_compare wrote into the page, and merges the contenders' times.
 
-/** The numbers of a base64 text: little-endian floats, as every browser's machine has them. */
+/** Decodes base64 into floats, which are little-endian as on all machines with browsers. */
 function decodeFloats(text) {
   const bytes = Uint8Array.from(atob(text), character => character.charCodeAt(0));
   return new Float32Array(bytes.buffer);
 }
 
-/** One contender's records. A NaN among the numbers means that it is not known. */
+/** One contender's records. NaN is an unknown number. */
 class Contender {
   constructor(json, number, components) {
-    this.number = number;  // its place, and so its colour
+    this.number = number;  // its index, which determines the colour
     this.name = json.name;
     this.summary = json.summary || "";
     this.figures = json.figures;
@@ -22,11 +22,11 @@ class Contender {
     this.components = components;
     this.series = {past_cut: decodeFloats(json.series.past_cut)};
     for (const [key, size] of Object.entries(components)) {
-      const text = json.series[key];  // missing where all numbers are 0
+      const text = json.series[key];  // missing if all numbers are 0
       this.series[key] = text ? decodeFloats(text) : new Float32Array(size * this.count);
     }
     this.isFast = this.series.past_cut.some(steps => steps > 0);
-    this.recordAt = null;  // by time index: which record is the last one until then
+    this.recordAt = null;  // by time index: the last record up to that time
   }
 
   get divergedAt_s() {
@@ -37,12 +37,12 @@ class Contender {
     return this.series.t_s[this.count - 1];
   }
 
-  /** Whether it has no state at that time any more. */
+  /** Returns true after the last record of a contender that diverged. */
   isOver(t_s) {
     return this.divergedAt_s !== null && t_s > this.lastTime_s;
   }
 
-  /** One number of a record; of a vector that along an axis. */
+  /** Returns one number of a record, for a vector the component along an axis. */
   value(key, record, axis = 0) {
     return this.series[key][this.components[key] * record + axis];
   }
@@ -52,7 +52,7 @@ class Contender {
   }
 }
 
-/** All that the page shows. */
+/** All data of the page. */
 class Report {
   constructor(json) {
     Object.assign(this, {version: json.polhode_version, precision: json.precision, command: json.command,
@@ -63,7 +63,7 @@ class Report {
     for (const contender of this.contenders) contender.recordAt = this.recordsAt(contender);
   }
 
-  /** The time of every record of any contender, once. A divergence is later than the last record: it is a time, too. */
+  /** Returns the times of all contenders' records, each once, and the times of divergences, which follow the last record. */
   sharedTimes() {
     const all = this.contenders.flatMap(contender => Array.from(contender.series.t_s));
     for (const contender of this.contenders) {
@@ -84,7 +84,7 @@ class Report {
     });
   }
 
-  /** A contender's numbers by time index: undefined between its records, null where nothing is known. */
+  /** Returns a contender's numbers by time index: undefined between its records, null if unknown. */
   alongTimes(contender, numberOf) {
     return Array.from(this.times, (t_s, i) => {
       const record = contender.recordAt[i];
@@ -106,6 +106,6 @@ class Report {
 
 function readReport() {
   const text = byId("report-data").textContent;
-  if (text.startsWith("@")) throw new Error("There is no data in this page: it is the template of a report.");
+  if (text.startsWith("@")) throw new Error("This page is the template of a report and has no data.");
   return new Report(JSON.parse(text));
 }

@@ -1,12 +1,12 @@
 "use strict";
 
-// Elements of the page. Texts always go in as text: names come from files and are never read as HTML.
+// Creates elements of the page. Texts are always inserted as text, since names come from files and must not be read as HTML.
 
 function byId(id) {
   return document.getElementById(id);
 }
 
-/** An element with attributes and children; children are elements or texts. */
+/** Creates an element with attributes and children; children are elements or texts. */
 function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
@@ -20,17 +20,17 @@ function svgElement(tag, attributes = {}) {
   return made;
 }
 
-/** A dt and its dd for each pair. */
+/** Creates a dt and its dd for each pair. */
 function fillDescriptions(list, pairs) {
   list.replaceChildren(...pairs.flatMap(([term, text]) => [element("dt", {}, term), element("dd", {}, text)]));
 }
 
-/** Sets the text only if it is another one: the layout is not computed anew for nothing. */
+/** Sets the text only if it changes, to avoid computing the layout again. */
 function setText(target, text) {
   if (target.textContent !== text) target.textContent = text;
 }
 
-/** Runs the work once before the next frame, however often it was asked for until then. */
+/** Runs the work once before the next frame, however often it is requested until then. */
 function oncePerFrame(work) {
   let waiting = false;
   return () => {

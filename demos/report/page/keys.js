@@ -1,10 +1,10 @@
 "use strict";
 
-// The keyboard. Keys that the focused element needs itself are left to it.
+// Handles the keyboard, except for keys that the focused element needs.
 
 const kKeys = [
   ["Space", "play or pause"],
-  ["\u2190 \u2192", "one record back or on"],
+  ["\u2190 \u2192", "one record back or forward"],
   ["Home, End", "to the start, to the end"],
   ["+ \u2212", "play faster, slower"],
   ["W A S D", "turn the views"],
@@ -24,7 +24,7 @@ function listenToKeys(playback, stage) {
     home: () => playback.seek(0),
     end: () => playback.seek(playback.last),
     "+": () => playback.changeSpeed(1),
-    "=": () => playback.changeSpeed(1),  // + without Shift on many keyboards
+    "=": () => playback.changeSpeed(1),  // the key of + without Shift on many keyboards
     "-": () => playback.changeSpeed(-1),
     a: () => turn(-0.1, 0), d: () => turn(0.1, 0), w: () => turn(0, 0.1), s: () => turn(0, -0.1),
     i: () => zoom(1.25), o: () => zoom(0.8),

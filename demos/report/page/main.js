@@ -1,6 +1,6 @@
 "use strict";
 
-// Puts the page together.
+// Assembles the page.
 
 function start() {
   const report = readReport();
@@ -26,7 +26,7 @@ function start() {
     if (stage) stage.applyPalette();
   });
 
-  // For tests: where the page is.
+  // For tests: the state of the page.
   window.polhodeReport = {
     get index() { return playback.index; },
     get last() { return playback.last; },
@@ -35,11 +35,11 @@ function start() {
     get playing() { return playback.playing; },
     get speed() { return playback.speed; },
   };
-  // Two frames later all that was asked for has been drawn.
+  // Two frames later everything requested has been drawn.
   requestAnimationFrame(() => requestAnimationFrame(() => { document.documentElement.dataset.ready = "true"; }));
 }
 
-/** Without WebGL there is none; the rest of the page goes on. */
+/** Creates the views, or none without WebGL; the rest of the page works without them. */
 function makeStage(report, playback) {
   if (hasWebGL()) {
     try {

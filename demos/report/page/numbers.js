@@ -1,8 +1,8 @@
 "use strict";
 
-// Numbers as texts: in the table as polhode_compare prints them, on axes as powers of ten.
+// Formats numbers: in the table as polhode_compare prints them, on axes as powers of ten.
 
-/** As C's %g with that many significant digits; "-" where there is no number. */
+/** Formats like C's %g with this number of significant digits; "-" if there is no number. */
 function shortNumber(value, digits) {
   if (value === null || value === undefined || Number.isNaN(value)) return "-";
   if (!Number.isFinite(value)) return value > 0 ? "inf" : "-inf";
@@ -14,7 +14,7 @@ function shortNumber(value, digits) {
   return withoutTrailingZeros(mantissa) + "e" + (exponent < 0 ? "-" : "+") + magnitude;
 }
 
-/** The same with a + before what is greater than 0. */
+/** Does the same with a + before positive numbers. */
 function signedNumber(value, digits) {
   return (value > 0 ? "+" : "") + shortNumber(value, digits);
 }
@@ -23,7 +23,7 @@ function withoutTrailingZeros(text) {
   return text.includes(".") ? text.replace(/\.?0+$/, "") : text;
 }
 
-/** 10 to a whole power, as for the axis of a logarithmic plot. */
+/** Formats a whole power of ten, for the axis of a logarithmic plot. */
 function powerOfTen(exponent) {
   const superscripts = {"-": "\u207b", 0: "\u2070", 1: "\u00b9", 2: "\u00b2", 3: "\u00b3", 4: "\u2074", 5: "\u2075",
     6: "\u2076", 7: "\u2077", 8: "\u2078", 9: "\u2079"};
@@ -35,7 +35,7 @@ function unitText(unit) {
   return unit === "1" ? "no unit" : unit;
 }
 
-/** The time with as many decimals as the distance of two records asks for. */
+/** Formats a time with as many decimals as the distance of two records requires. */
 function timeText(t_s, distance_s) {
   if (t_s !== 0 && (Math.abs(t_s) >= 1e7 || distance_s < 1e-7)) return shortNumber(t_s, 7);
   const decimals = distance_s > 0 ? Math.min(7, Math.max(0, Math.ceil(-Math.log10(distance_s)))) : 3;

@@ -1,6 +1,6 @@
 "use strict";
 
-// From where the reader looks, the same in all views. Events: "change".
+// The camera, the same in all views. Events: "change".
 
 const kStartView = {azimuth: 0.7, elevation: 0.42, zoom: 1};
 
@@ -8,7 +8,7 @@ class Orbit extends EventTarget {
   constructor(up) {
     super();
     this.up = up;
-    // Any two directions along the ground will do.
+    // Any two perpendicular directions along the ground.
     this.aside = Math.abs(up.x) < 0.9 ? new THREE.Vector3(1, 0, 0) : new THREE.Vector3(0, 1, 0);
     this.aside.addScaledVector(up, -up.dot(this.aside)).normalize();
     this.ahead = new THREE.Vector3().crossVectors(up, this.aside);
@@ -48,7 +48,7 @@ class Orbit extends EventTarget {
     camera.lookAt(target);
   }
 
-  /** One pointer turns; two zoom by their distance. A wheel alone is left to the page, which scrolls. */
+  /** One pointer turns, two zoom by their distance. The wheel without Ctrl scrolls the page. */
   listenTo(surface) {
     surface.addEventListener("pointerdown", event => {
       if (event.button !== 0) return;

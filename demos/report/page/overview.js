@@ -1,6 +1,6 @@
 "use strict";
 
-// What was run, and by which command.
+// Shows what was run, and the command.
 
 function showOverview(report) {
   const scenario = report.scenario;
@@ -46,7 +46,7 @@ async function copyCommand() {
     await navigator.clipboard.writeText(byId("command").textContent);
     button.textContent = "Copied";
   } catch {
-    // Not every browser lets a page from a file write to the clipboard: the reader can still press Ctrl+C.
+    // Some browsers do not let a page from a file write to the clipboard: the text is selected for Ctrl+C instead.
     window.getSelection().selectAllChildren(byId("command"));
     button.textContent = "Selected";
   }

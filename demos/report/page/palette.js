@@ -1,8 +1,8 @@
 "use strict";
 
-// One colour per contender, the same everywhere, on a light background also in polhode_viewer: those of Okabe and Ito, which
-// colour-blind people can tell apart, made darker or lighter where they would be lost, and the last two added to them.
-// Where there are more contenders than colours, lines are dashed.
+// One colour per contender, the same in the whole page and, on a light background, in polhode_viewer: those of Okabe and
+// Ito, which colour-blind people can tell apart, darkened or lightened where the background needs it, and two more.
+// Contenders after the last colour get dashed lines.
 
 const kColours = {
   light: ["#0072b2", "#d55e00", "#009e73", "#cc5fa0", "#3ba3e0", "#d98e00", "#3c4147", "#998a00", "#882255"],
@@ -10,7 +10,7 @@ const kColours = {
 };
 const kDashes = [[], [7, 4], [2, 3]];
 
-// What is not a contender: canvases cannot read the style sheet.
+// Other colours, for canvases, which cannot read the style sheet.
 const kInks = {
   light: {text: "#1b1f24", faint: "#5b636d", grid: "#dfe3e8", x: "#b3261e", y: "#1e7d32", z: "#2455c3",
     omega: "#8a5a00", momentum: "#6a2fa0", rotor: "#00707a", diverged: "#9aa0a6", ground: "#8d99a6", edge: "#20242a"},
@@ -35,14 +35,14 @@ const palette = {
     return kDashes[Math.floor(number / kColours.light.length) % kDashes.length];
   },
 
-  /** Colours that elements take from the style sheet follow the theme by themselves. */
+  /** Sets the colours as CSS properties, so that elements that use them follow the theme. */
   apply(count) {
     const style = document.documentElement.style;
     for (let number = 0; number < count; ++number) style.setProperty(`--contender-${number}`, this.colour(number));
     for (const name of ["x", "y", "z", "omega", "momentum", "rotor"]) style.setProperty(`--ink-${name}`, this.ink[name]);
   },
 
-  /** A piece of a contender's line, for legends. */
+  /** Returns a piece of a contender's line, for legends. */
   swatch(number) {
     return lineSwatch(`var(--contender-${number})`, this.dash(number));
   },

@@ -1,6 +1,6 @@
 "use strict";
 
-// The time that everything on the page shows. Events: "time" (another index), "state" (playing or not, or the speed).
+// The time shown by the whole page. Events: "time" (the index changed), "state" (playing or the speed changed).
 
 class Playback extends EventTarget {
   constructor(times, duration_s) {
@@ -8,13 +8,13 @@ class Playback extends EventTarget {
     this.times = times;
     this.index = 0;
     this.playing = false;
-    this.clock_s = times[0];  // where playing has got to, between two records
+    this.clock_s = times[0];  // position of the playback, between two records
     this.speeds = Playback.speedsFor(duration_s);
     this.speed = this.speeds[Math.floor(this.speeds.length / 2)];
     this.frame = timestamp => this.advance(timestamp);
   }
 
-  /** A ladder of speeds about that at which the whole is watched in a reasonable time, the real one if it is. */
+  /** Returns a series of speeds around one that plays the run in a reasonable time: real time if possible. */
   static speedsFor(duration_s) {
     const ladder = [1, 2, 5];
     const middle = duration_s >= 2 && duration_s <= 120 ? 0 : Math.round(3 * Math.log10(duration_s / 20));
@@ -33,7 +33,7 @@ class Playback extends EventTarget {
     return this.times.length - 1;
   }
 
-  /** Where the reader wants to be. */
+  /** Moves to the time that the reader chose. */
   seek(index) {
     this.moveTo(Math.min(this.last, Math.max(0, Math.round(index))));
     this.clock_s = this.t_s;
@@ -63,7 +63,7 @@ class Playback extends EventTarget {
     this.dispatchEvent(new Event("state"));
   }
 
-  /** One speed of the ladder up or down. */
+  /** Changes the speed by one of the series. */
   changeSpeed(places) {
     const place = this.speeds.indexOf(this.speed) + places;
     this.setSpeed(this.speeds[Math.min(this.speeds.length - 1, Math.max(0, place))]);
@@ -80,7 +80,7 @@ class Playback extends EventTarget {
     this.dispatchEvent(new Event("time"));
   }
 
-  /** The last index until that time. */
+  /** Returns the last index up to this time. */
   indexAt(t_s) {
     let low = 0;
     let high = this.last;

@@ -6,7 +6,7 @@ class Plot {
   constructor(report, playback, subject) {
     Object.assign(this, {report, playback, subject});
     this.isVector = report.contenders[0].components[subject.key] > 1;
-    this.contender = report.contenders[0];  // of a plot of one
+    this.contender = report.contenders[0];  // of a plot with a single contender
     this.wholeRange = false;
     this.chart = element("div", {class: "chart"});
     this.note = element("p", {class: "note"});
@@ -38,7 +38,7 @@ class Plot {
     this.tools.append(this.cutTool);
   }
 
-  /** Draws everything anew: for other colours, another contender, another range. */
+  /** Redraws everything after a change of colours, contender or range. */
   rebuild() {
     if (this.chart.clientWidth === 0) return;
     if (this.uplot) this.uplot.destroy();
@@ -51,7 +51,7 @@ class Plot {
     const isEmpty = this.lines.every(line => line.every(value => value === null || value === undefined));
     this.figure.classList.toggle("is-empty", isEmpty);
     if (isEmpty) {
-      this.note.textContent = "Not known here.";
+      this.note.textContent = "Unknown here.";
       return;
     }
     this.chooseScale();
@@ -105,7 +105,7 @@ class Plot {
           values: (_, splits) => (this.isLog ? logTexts(splits) : linearTexts(splits))},
       ],
       series: [{}, ...this.lines.map((line, number) => this.seriesOptions(line, number))],
-      // uPlot knows where a time is only when it has drawn itself, which is after this call.
+      // uPlot knows the position of a time only after it has drawn itself, which is after this call.
       hooks: {draw: [u => this.drawFastMarks(u), () => this.showTime()]},
     };
   }
@@ -135,12 +135,12 @@ class Plot {
     return shown.filter(contender => contender.isFast);
   }
 
-  /** Above the plot, in a lane for each contender that is fast somewhere. */
+  /** Draws the marks above the plot, in a lane for each contender with fast steps. */
   drawFastMarks(u) {
     const {ctx, bbox} = u;
     ctx.save();
     ctx.lineWidth = 2 * uPlot.pxRatio;
-    ctx.setLineDash([]);  // the last line's may be left
+    ctx.setLineDash([]);  // may be left from the last line
     this.fastContenders().forEach((contender, lane) => {
       const y = bbox.top - (4 + 4 * lane) * uPlot.pxRatio;
       ctx.strokeStyle = palette.colour(contender.number);
@@ -156,7 +156,7 @@ class Plot {
     ctx.restore();
   }
 
-  /** Pressing in the plot, and dragging on, moves the time. */
+  /** Clicking or dragging in the plot moves the time. */
   listen() {
     const over = this.uplot.over;
     const seek = event => {

@@ -1,11 +1,11 @@
 "use strict";
 
-// Axes of the plots: ranges, and where their marks are.
+// Computes the ranges and marks of the plots' axes.
 
-/** Zero has no logarithm: it is drawn here. */
+/** Zero, which has no logarithm, is drawn here. */
 const kLogFloor = 1e-17;
 
-/** Whole decades around all that is to be seen. */
+/** Returns whole decades around all visible numbers. */
 function logRange(low, high) {
   if (!(high > 0)) return [kLogFloor, 1];
   const from = Math.floor(Math.log10(low) + 1e-9);
@@ -23,7 +23,7 @@ function logSplits(low, high, height) {
   return splits;
 }
 
-/** A range of a linear axis with some room; what does not move at all is shown as a line in the middle. */
+/** Returns the range of a linear axis with a margin; a constant is shown as a line in the middle. */
 function linearRange(low, high) {
   if (!(high >= low)) return [0, 1];
   const middle = 0.5 * (low + high);
@@ -32,7 +32,7 @@ function linearRange(low, high) {
   return [low - room, high + room];
 }
 
-/** The least and the greatest of all lists; null in them is skipped. */
+/** Returns the least and the greatest number of all lists, without null. */
 function extent(lists) {
   let low = Infinity;
   let high = -Infinity;

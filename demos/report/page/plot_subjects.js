@@ -1,24 +1,24 @@
 "use strict";
 
-// What the plots are about: the plots of the data, each with the numbers of its quantity. Of one number there is a line for
-// every contender, of a vector, for one contender, a line for each body axis.
+// The subjects of the plots: each has the numbers of one quantity. A scalar has a line for every contender; a vector has a
+// line for each body axis, of one contender.
 
 const kBodyAxes = ["x", "y", "z"];
 const kAxisDashes = {x: [], y: [8, 4], z: [2, 3]};
 
-/** The numbers of a quantity by time index, as they are drawn; of a vector those along an axis. */
+/** Returns the numbers of a quantity by time index, as they are drawn; for a vector those along an axis. */
 function lineOf(report, contender, subject, axis = 0) {
   return report.alongTimes(contender, record => {
     const value = contender.value(subject.key, record, axis);
     if (!subject.is_logarithmic) return value;
     const size = Math.abs(value);
-    return size < kLogFloor ? kLogFloor : size;  // a NaN stays one
+    return size < kLogFloor ? kLogFloor : size;  // NaN stays NaN
   });
 }
 
 /**
- * Where a linear axis ends at the latest: energies at some multiples of that at the start, which one contender that blows up
- * would flatten.
+ * Returns the limits of a linear axis: a few multiples of the initial energy, so that one contender that blows up does not
+ * flatten the others.
  */
 function cutOf(report, subject) {
   if (subject.unit !== "J") return null;

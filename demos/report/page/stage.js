@@ -1,6 +1,6 @@
 "use strict";
 
-// The views of the bodies side by side: one canvas behind all of them, of which each contender's view is a part.
+// The views of the bodies side by side. They are parts of one canvas, which lies behind them.
 
 const kFieldOfView_deg = 32;
 
@@ -42,7 +42,7 @@ class Stage {
     this.resize();
   }
 
-  /** A motion that stays within a few of the body's sizes is looked at from a fixed place, another is followed. */
+  /** The camera stays fixed if the motion stays within a few sizes of the body, and follows the body otherwise. */
   frameMotion() {
     const box = new THREE.Box3();
     for (const {series} of this.report.contenders) {
@@ -56,7 +56,7 @@ class Stage {
     this.isFar = reach > 8 * this.model.radius;
     byId("follow").checked = this.isFar;
     byId("follow-label").hidden = reach < 0.01 * this.model.radius;
-    // Arrows and letters reach beyond the body.
+    // Arrows and letters extend beyond the body.
     const followed = 1.8 * this.model.radius;
     this.reach = {followed, fixed: followed + Math.min(reach, 30 * this.model.radius)};
   }
@@ -115,7 +115,7 @@ class Stage {
   }
 }
 
-/** The frame of one contender's view: its name, and what there is to say about the moment. */
+/** The frame of one contender's view: its name and its present state. */
 class View {
   constructor(contender) {
     this.contender = contender;

@@ -1,6 +1,6 @@
 "use strict";
 
-// What stands around the body: light, and the ground if the scenario has one.
+// The surroundings of the body: light, and the ground if the scenario has one.
 
 class Surroundings {
   constructor(report, radius) {
@@ -30,7 +30,7 @@ class Surroundings {
     this.root.add(this.ground);
   }
 
-  /** Cell by cell: not every renderer draws a line that begins far behind the reader. */
+  /** Draws the grid cell by cell: some renderers do not draw a line that begins far behind the camera. */
   grid(cells) {
     const points = [];
     const add = (x, y) => points.push(new THREE.Vector3((x - cells / 2) * this.cell, (y - cells / 2) * this.cell, 0));
@@ -45,7 +45,7 @@ class Surroundings {
     return new THREE.BufferGeometry().setFromPoints(points);
   }
 
-  /** The ground has no end: its grid goes along with what is looked at, by whole cells. */
+  /** The ground is unbounded: its grid follows the camera's target, by whole cells. */
   lookedAt(target, camera) {
     this.lamp.position.copy(camera.position);
     this.lamp.target.position.copy(target);

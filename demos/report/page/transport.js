@@ -39,7 +39,7 @@ class Transport {
     byId("speed").value = speed;
   }
 
-  /** A lane for each visible contender that has something to mark. */
+  /** Draws a lane for each visible contender that has marks. */
   showMarks() {
     const marked = this.report.visibleContenders.filter(each => each.isFast || each.divergedAt_s !== null);
     const marks = byId("track-marks");
@@ -57,7 +57,7 @@ class Transport {
     const group = svgElement("g");
     group.append(line);
     if (contender.divergedAt_s !== null) {
-      // From where there is nothing more of it.
+      // From the contender's divergence on.
       const from = contender.recordAt.findIndex((_, i) => contender.isOver(this.report.times[i]));
       group.append(svgElement("path", {d: `M${from} ${y}H${this.playback.last}`, "stroke-width": 1, class: "over"}));
     }
@@ -65,7 +65,7 @@ class Transport {
   }
 }
 
-/** Pairs of first and last time index of the stretches in which the contender had steps past pi/4. */
+/** Returns pairs of first and last time index of the intervals in which the contender had steps past pi/4. */
 function fastStretches(report, contender) {
   const stretches = [];
   let from = null;
