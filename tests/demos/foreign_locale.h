@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// Sets a global C++ locale that writes 1234.5 as 1.234,5, until it is destroyed.
+/// Sets a global C++ locale that writes 1234.5 as 1.234,5, during its lifetime.
 class ForeignLocale {
  public:
   ForeignLocale() : before_(std::locale::global(std::locale(std::locale::classic(), new CommaNumbers))) {}
@@ -14,7 +14,7 @@ class ForeignLocale {
   ForeignLocale& operator=(const ForeignLocale&) = delete;
 
  private:
-  // The locale that it is given to owns it.
+  // The locale takes ownership.
   struct CommaNumbers : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
     char do_thousands_sep() const override { return '.'; }

@@ -5,7 +5,7 @@
 
 namespace polhode::demos {
 
-/// A directory of its own, gone with the object.
+/// A temporary directory, removed by the destructor.
 class TemporaryDirectory {
  public:
   TemporaryDirectory();

@@ -1,4 +1,4 @@
-// polhode_compare from end to end, as a process.
+// Runs polhode_compare as a process, from end to end.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -155,7 +155,7 @@ TEST(Compare, WritesEveryStepWithAllDigits) {
   }
 }
 
-// Returns the data that the report's page is given, without the page.
+// Returns the data of the report's page, without the page.
 nlohmann::json report_data(const std::string& html) {
   const std::string opening = "id=\"report-data\">";
   const std::size_t start = html.find(opening) + opening.size();

@@ -1,4 +1,5 @@
-// Scenario files that would take all memory or all time: refused in one line, or handled in little of both.
+// Scenario files that would need all memory or much time are refused in one line, or handled with little of
+// both.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -37,7 +38,7 @@ std::string many_keys(int count) {
 
 struct HostileFile {
   std::string what;
-  std::string (*text)();  ///< made when it is needed: the memory of this process counts
+  std::string (*text)();  ///< made on demand, since the memory of this process counts
   std::string message;
 };
 
@@ -63,7 +64,7 @@ TEST_P(HostileScenario, IsRefusedInLittleMemoryAndTime) {
   EXPECT_LT(result.processor_seconds, kMostSeconds * kTimeFactor);
 }
 
-/// A free body with more keys.
+/// Returns a free body with more keys.
 std::string body_with(const std::string& more) {
   return "{" + kFreeBody + more + "}";
 }
@@ -101,7 +102,7 @@ const HostileFile kHostileFiles[] = {
 INSTANTIATE_TEST_SUITE_P(Each, HostileScenario, testing::ValuesIn(kHostileFiles),
                          [](const auto& file) { return file.param.what; });
 
-// The dearest of all that are read: every pair of bodies overlaps.
+// The most expensive valid scenario: every pair of bodies overlaps.
 TEST(HostileScenario, OfAsManyBodiesAsAreValidIsRunInBoundedMemory) {
   const TemporaryDirectory directory;
   const std::string file = (directory / "crowd.json").string();

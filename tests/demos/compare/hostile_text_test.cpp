@@ -1,4 +1,5 @@
-// Texts that a terminal, a spreadsheet or a browser would obey, wherever polhode_compare takes a text.
+// Texts that a terminal, a spreadsheet or a browser would obey, in every place where polhode_compare accepts
+// a text.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,8 +13,8 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-/// Clears the screen, sets the clipboard, sets a title in C1, moves to a line of its own, turns the direction
-/// of writing, and is no UTF-8.
+/// Clears the screen, sets the clipboard, sets a title in C1, starts a new line, reverses the writing
+/// direction, and is not UTF-8.
 const std::string kHostile =
     "=1+1,\"<img src=x onerror=alert(1)>\x1b[2J\x1b]52;c;eA==\x07\r\n\x7f\u009d0;t\u009c\u202e\xff";
 const std::string kEscaped =
@@ -50,7 +51,7 @@ class HostileText : public testing::Test {
   TemporaryDirectory directory_;
 };
 
-/// File names cannot hold a slash; this one holds the rest.
+/// File names cannot contain a slash; this one has the rest.
 const std::string kFileName = kHostile + ".json";
 
 TEST_F(HostileText, OnTheCommandLineIsShownEscaped) {
@@ -110,7 +111,7 @@ TEST_F(HostileText, OfALongKeyOrNumberIsShortened) {
   }
 }
 
-// A file without a "name" gives the scenario its own.
+// A scenario without a "name" is named after its file.
 TEST_F(HostileText, OfAFileNameBecomesAHarmlessName) {
   write_scenario(kFileName, "{" + kBody + "}");
   const std::string json = (directory_ / "out.json").string();
@@ -125,7 +126,7 @@ TEST_F(HostileText, OfAFileNameBecomesAHarmlessName) {
   EXPECT_EQ(scenario["name"], kEscaped);
   EXPECT_THAT(read_file(csv), Not(HasSubstr("=1")));
   EXPECT_THAT(read_file(report), Not(HasSubstr("<img src=x")));
-  // What is written is a scenario again.
+  // The output is a valid scenario again.
   EXPECT_EQ(run_compare({"--scenario", write_scenario("again.json", scenario.dump()), "--contender", "exact"})
                 .exit_code,
             0);

@@ -1,4 +1,5 @@
-// Schemes of one's own beside the built-in ones: the library demos/hello_scheme.cpp, and libraries that are refused.
+// Schemes from libraries run beside the built-in ones: demos/hello_scheme.cpp, and libraries that are
+// refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// A disk that is full: the file is as it was before, and a message names it and the reason.
+// On a full disk the file stays as it was, and a message names the file and the reason.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -36,7 +36,7 @@ class FullDevice : public FullDisk {};
 TEST_P(FullDevice, LeavesTheFileThatWasThere) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   write_file(target(), "before");
-  // The temporary file is made to lead to a full device.
+  // Makes the temporary file lead to a full device.
   const CommandResult result =
       start([&] {
         std::filesystem::create_symlink("/dev/full",
@@ -45,19 +45,19 @@ TEST_P(FullDevice, LeavesTheFileThatWasThere) {
   expect_refusal(result, target().string(), "No space left on device");
 }
 
-// With a journal the temporary file is opened twice.
+// A program with a journal opens the temporary file twice.
 INSTANTIATE_TEST_SUITE_P(Demos, FullDevice, testing::ValuesIn(writers(false)), name_of);
 
 class LimitedFile : public FullDisk {};
 
 TEST_P(LimitedFile, LeavesTheFileThatWasThere) {
   const std::string whole = clean_text();
-  // The messages go to files too.
+  // Messages go to files too.
   ASSERT_GT(whole.size(), 800u);
   write_file(target(), "before");
   expect_refusal(with_files_limited_to(whole.size() * 3 / 4), target().string(), "File too large");
   if (GetParam().has_journal) {
-    // The cells are there: what is left is to write the map.
+    // The cells are done: only the map remains to be written.
     EXPECT_EQ(kept_files(), 1);
   }
   const CommandResult again = start().wait();

@@ -1,4 +1,4 @@
-// A signal while a file is being written: afterwards the file is whole or as it was before.
+// After a signal during writing, the file is complete or as it was before.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using Clock = std::chrono::steady_clock;
 
 class Signal : public WriterTest {
  protected:
-  // Signals runs at moments spread over their duration. expect(result) is called after each.
+  // Sends signals to runs at times spread over their duration. Calls expect(result) after each.
   template <class Expect>
   void at_any_moment(int signal, const Expect& expect) {
     constexpr int kMoments = 6;
@@ -48,7 +48,7 @@ class Signal : public WriterTest {
 
 TEST_P(Signal, ToTerminateLeavesNothingElse) {
   at_any_moment(SIGTERM, [&](const CommandResult& result, int /*process*/) {
-    // Before the program is ready for it, the signal ends it by itself.
+    // Before the program has installed its handler, the signal kills it.
     EXPECT_THAT(result.exit_code, testing::AnyOf(0, -SIGTERM, 128 + SIGTERM)) << result.standard_error;
     EXPECT_EQ(directory_.file_count(), 1 + kept_files());
     if (result.exit_code == 0) expect_whole();
@@ -70,7 +70,7 @@ TEST_P(Signal, ToKillLeavesARecognisableRemainderThatDisturbsNoLaterRun) {
 INSTANTIATE_TEST_SUITE_P(Demos, Signal, testing::ValuesIn(writers()), name_of);
 
 #ifdef POLHODE_COMPARE_EXECUTABLE
-/// A comparison that has written some of its rows, and is far from the last.
+/// A comparison that has written some of its rows and is far from the last.
 class HalfWritten : public testing::Test {
  protected:
   HalfWritten()

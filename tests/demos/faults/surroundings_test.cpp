@@ -1,4 +1,4 @@
-// Programs without an output that can be written, a home, a display or a folder to write to.
+// Programs without a writable output, a home, a display or a folder to write to.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Demos, StandardOutput, testing::ValuesIn(printers()),
 
 class Surroundings : public WriterTest {};
 
-// Not even root can write there.
+// Not even root can write to it.
 constexpr char kUnwritable[] = "/proc";
 
 TEST_P(Surroundings, WithoutAHomeAndAFolderToWriteToAreEnough) {

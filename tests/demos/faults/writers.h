@@ -8,15 +8,15 @@
 
 #include "demos/compare/command.h"
 
-/// The programs and the files that they write, for what may go wrong outside them.
+/// The programs and the files that they write, for tests of external faults.
 namespace polhode::demos {
 
 struct Writer {
   const char* name;
   const char* program;
-  std::vector<std::string> arguments;  ///< the last one asks for the file, whose name is still missing
-  bool has_journal = false;            ///< keeps what is done in FILE.partial, and goes on from there
-  bool is_reproducible = true;         ///< false: what it writes holds times that it measured
+  std::vector<std::string> arguments;  ///< the last one names the file option, whose value is added
+  bool has_journal = false;            ///< keeps finished work in FILE.partial and resumes from it
+  bool is_reproducible = true;         ///< false if the file contains measured times
 };
 
 inline void PrintTo(const Writer& writer, std::ostream* stream) {
@@ -39,7 +39,7 @@ inline std::vector<Writer> writers() {
   list[0].name = "ComparisonAsCsv";
   list[1].name = "ComparisonAsJson";
   list[2].name = "ComparisonAsReport";
-  // So short that it is written when the file is closed.
+  // Small enough to be written only when the file is closed.
   list.push_back({"ShortComparison",
                   POLHODE_COMPARE_EXECUTABLE,
                   {"--scenario", "tumble", "--duration", "0.3", "--contender", "exact", "--csv"}});
@@ -79,7 +79,7 @@ inline std::vector<Writer> writers(bool with_journal) {
   return list;
 }
 
-/// A writer, a directory for its file, and one for what it writes besides.
+/// A writer, a directory for its file, and one for its other output.
 class WriterTest : public testing::TestWithParam<Writer> {
  protected:
   void SetUp() override {
@@ -97,21 +97,21 @@ class WriterTest : public testing::TestWithParam<Writer> {
   }
   std::filesystem::path target() const { return directory_ / "out"; }
   std::filesystem::path journal() const { return directory_ / "out.partial"; }
-  /// Returns what a run writes that nothing disturbs.
+  /// Returns the output of an undisturbed run.
   std::string clean_text() const {
     EXPECT_EQ(start().wait().exit_code, 0);
     const std::string text = read_file(target());
     std::filesystem::remove(target());
     return text;
   }
-  /// Counts the files that a run may leave besides the target when it ends early.
+  /// Counts the files besides the target that a run may leave when it ends early.
   int kept_files() const { return std::filesystem::exists(journal()) && GetParam().has_journal ? 1 : 0; }
 
   TemporaryDirectory directory_;
   TemporaryDirectory beside_;
 
  private:
-  // False where no picture can be drawn.
+  // False if no picture can be drawn here.
   bool can_run() const {
     const CommandResult result = start().wait();
     if (result.exit_code == 2 && result.standard_error.find("no OpenGL") != std::string::npos) return false;

@@ -88,8 +88,8 @@ TEST(Contenders, AreRefusedIfTheyAreNamedAndTakeNoRotors) {
   }
 }
 
-// The CSV files hold numbers and these names. A spreadsheet takes neither for a formula, and no cell needs
-// quotes.
+// The CSV files contain numbers and these names only. A spreadsheet reads neither as a formula, and no cell
+// needs quotes.
 TEST(Contenders, HaveNamesThatArePlainWords) {
   for (const Contender& contender : all_contenders()) {
     EXPECT_THAT(contender.name, testing::MatchesRegex("[a-z][a-z0-9_:]*"));

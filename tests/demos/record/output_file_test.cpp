@@ -69,7 +69,7 @@ TEST(OutputFile, RefusesADirectoryADeviceAndAMissingDirectory) {
 }
 
 TEST(OutputFile, ReportsAFullDisk) {
-  // /dev/full is refused as a target, so the temporary file is made to lead there.
+  // /dev/full is refused as a target, so the temporary file leads there instead.
   const TemporaryDirectory directory;
   const std::string temporary = "out.csv.partial-" + std::to_string(::getpid());
   std::filesystem::create_symlink("/dev/full", directory / temporary);

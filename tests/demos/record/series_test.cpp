@@ -10,7 +10,7 @@ namespace {
 constexpr double kDt = 0.1;
 const Vector3 kInertia(1, 2, 4);
 
-// A spin of so many rad/s about the body's x axis, of kInertia.
+// Returns a spin at this speed, rad/s, about the body's x axis, with kInertia.
 Sample sample_at(std::int64_t step, double speed = 2.0) {
   Sample sample;
   sample.step = step;
@@ -100,7 +100,7 @@ TEST(Series, TakesRotorsForAPartOfTheMomentumAndOfNoEnergy) {
 TEST(Series, SplitsTheRotationalEnergyByTheBodysAxes) {
   SeriesRecorder recorder(kInertia, kDt, 1, 10);
   Sample sample = sample_at(0);
-  sample.state.R_WB = 1.5 * Quaternion(1, 2, 3, 4).normalized().toRotationMatrix();  // swollen, too
+  sample.state.R_WB = 1.5 * Quaternion(1, 2, 3, 4).normalized().toRotationMatrix();  // swollen
   sample.state.L_W = {3, -1, 2};
   sample.state.omega_W =
       sample.state.R_WB * (sample.state.R_WB.transpose() * sample.state.L_W).cwiseQuotient(kInertia);

@@ -1,11 +1,11 @@
-"""What can be seen of a report in the browser: its times, its pictures, its console."""
+"""Reads a report in the browser: its times, its pictures, its console."""
 
 import json
 import struct
 import time
 import zlib
 
-# Pixels in the drawing of a plot that have one of the colours, up to rounding. `colours` are CSS names of properties.
+# Counts the pixels of a plot that have one of the colours, up to rounding. `colours` are names of CSS properties.
 COUNT_PIXELS = """
 const [selector, names] = arguments;
 const style = getComputedStyle(document.documentElement);
@@ -35,7 +35,7 @@ class PageProbe:
         return self.run("return document.documentElement.dataset.ready === 'true';")
 
     def settle(self):
-        """Lets the page draw what it was asked for."""
+        """Waits until the page has drawn its present state."""
         time.sleep(0.3)
         self.browser.request("POST", "/execute/async", {
             "script": "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done(null)));",
@@ -87,7 +87,7 @@ class PageProbe:
                         " line.getBoundingClientRect().left - line.parentElement.getBoundingClientRect().left);")
 
     def plot_line_pixels(self):
-        """By plot that is not empty: how many pixels have the colour of one of its lines."""
+        """Returns for each plot that is not empty how many pixels have the colour of one of its lines."""
         ids = self.run("return Array.from(document.querySelectorAll('.plot:not(.is-empty)'), plot => plot.id);")
         contenders = [f"--contender-{number}" for number in range(len(self.data("contenders")))]
         axes = ["--ink-x", "--ink-y", "--ink-z"]
@@ -100,7 +100,7 @@ class PageProbe:
     # The views in 3D.
 
     def stage_picture(self):
-        """A PNG of the bodies alone, without what stands over them: the same bytes for the same picture."""
+        """Returns a PNG of the bodies without the elements above them: the same bytes for the same picture."""
         self.run("document.getElementById('stage').scrollIntoView();"
                  "const style = document.createElement('style'); style.id = 'probe';"
                  "style.textContent = '#viewports, #viewports *, #transport, #transport *, #contenders, #contenders *"
@@ -112,7 +112,7 @@ class PageProbe:
         return picture
 
     def view_colours(self, picture):
-        """How many colours the picture has in each of the views."""
+        """Returns the number of colours in each of the views."""
         width, channels, pixels = png_pixels(picture)
         windows = self.run("const all = document.getElementById('stage-canvas').getBoundingClientRect();"
                            "return Array.from(document.querySelectorAll('.window'), window => {"
@@ -128,10 +128,10 @@ class PageProbe:
             counts.append(len(colours))
         return counts
 
-    # What the browser has to say.
+    # The browser's log.
 
     def complaints(self):
-        # Screenshots are slow on some drivers, which say so on the page's console.
+        # Some drivers report on the page's console that screenshots are slow.
         return [entry["message"] for entry in self.browser.log("browser")
                 if entry["level"] in ("SEVERE", "WARNING") and "GL Driver Message" not in entry["message"]]
 
@@ -141,7 +141,7 @@ class PageProbe:
         asked = []
         for message in messages:
             parameters = message["params"]
-            # The browser's own first page asks for a lot.
+            # The browser's start page makes many requests.
             if message["method"] == "Network.requestWillBeSent" and parameters["documentURL"].startswith("file:"):
                 asked.append(parameters["request"]["url"])
             elif message["method"] == "Network.webSocketCreated":
@@ -150,7 +150,7 @@ class PageProbe:
 
 
 def png_pixels(png):
-    """Width, number of channels, and all pixels. Knows 8 bits per channel without interlacing: what browsers write."""
+    """Returns width, number of channels and all pixels. Reads what browsers write: 8 bits per channel, not interlaced."""
     position, compressed = 8, b""
     while position < len(png):
         length, kind = struct.unpack(">I4s", png[position:position + 8])
@@ -171,7 +171,7 @@ def png_pixels(png):
 
 
 def unfiltered(kind, line, above, channels):
-    """A line of a PNG, from its differences to the pixels on the left (a), above (b) and on the left above (c)."""
+    """Decodes a line of a PNG from its differences to the pixels on the left (a), above (b) and above left (c)."""
     line = bytearray(line)
     if kind == 2:
         return bytearray((x + b) & 255 for x, b in zip(line, above))

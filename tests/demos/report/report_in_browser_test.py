@@ -145,7 +145,7 @@ def check_plot_drag(checks, browser, probe):
         probe.settle()
         share = places[-1][0]
         distance = abs(probe.time() - share * end)
-        # To the nearest record, and to the pixel of the mouse.
+        # The nearest record, to a pixel of the mouse.
         allowed = end / probe.last() + 0.01 * end
         checks.expect(distance <= allowed, f"{text} moves the time there", f"{probe.time()} s of {end} s")
         value = browser.run("return Number(document.getElementById('scrubber').value);")
@@ -178,7 +178,7 @@ def check_themes(checks, browser, probe, dark):
 
 
 def check_quiet(checks, browser, probe):
-    """Nothing was complained about, and nothing was asked of the network, in all that went before."""
+    """Expects that the page so far has printed no complaints and made no requests."""
     complaints = probe.complaints()
     checks.expect(not complaints, "the console has no error and no warning", complaints)
     entries = browser.run("return performance.getEntriesByType('resource').map(entry => entry.name);")

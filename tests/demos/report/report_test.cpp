@@ -77,7 +77,7 @@ TEST(Report, SaysWhatWasRunAndWhatCameOut) {
   EXPECT_EQ(json["contenders"][1]["figures"]["diverged_at_s"], 0.25);
 }
 
-// No text of a scenario or a command may end the element that the data stand in, or start another.
+// Texts of a scenario or a command must not end the element that holds the data, or start another one.
 TEST(Report, LetsNoTextBreakOutOfItsData) {
   Report report = report_of(1, 10);
   report.comparison.scenario.name = "<img src=x onerror=alert(1)>";
@@ -128,7 +128,7 @@ TEST(Report, StaysUnderTwoMegabytes) {
   for (const std::size_t contenders : {1u, 6u, 9u, 14u}) {
     Report report = report_of(contenders, 20000);
     for (Series& series : report.series) {
-      for (auto& column : series.columns) column.second.back() = 1.0F;  // so that none is left out
+      for (auto& column : series.columns) column.second.back() = 1.0F;  // keeps every column
     }
     EXPECT_LT(report_html(report).size(), 2000000u) << contenders;  // measured 1.86e6
   }

@@ -1,4 +1,4 @@
-"""A browser driven by chromedriver over the WebDriver protocol, with nothing but Python's standard library."""
+"""A browser driven by chromedriver over the WebDriver protocol, with Python's standard library only."""
 
 import base64
 import json
@@ -16,7 +16,7 @@ ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # the protocol's name for a ref
 FLAGS = [
     "--headless=new", "--no-sandbox", "--no-first-run", "--disable-quic", "--disable-sync",
     "--disable-background-networking", "--disable-component-update", "--hide-scrollbars",
-    # WebGL without a graphics card. Not with --disable-gpu: large canvases then come out in part.
+    # WebGL without a graphics card. --disable-gpu would draw only a part of large canvases.
     "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
 ]
 
@@ -24,7 +24,7 @@ KEYS = {"Space": " ", "End": "\ue010", "Home": "\ue011", "Left": "\ue012", "Righ
 
 
 class Browser:
-    """A session of its own, with a profile of its own, that ends with the `with` block."""
+    """A session with its own profile, which ends with the `with` block."""
 
     def __init__(self, width=1280, height=900, dark=False, flags=()):
         self.window = (width, height)
@@ -36,7 +36,7 @@ class Browser:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
         self.profile = tempfile.mkdtemp(prefix="report_in_browser_")
-        # What a wrapper script around the browser says on stderr is not of the page.
+        # A wrapper script around the browser may print to stderr.
         self.driver = subprocess.Popen([shutil.which("chromedriver") or "chromedriver", f"--port={port}"],
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.address = f"http://127.0.0.1:{port}"
@@ -110,7 +110,7 @@ class Browser:
         self.request("POST", f"/element/{self.find(selector)}/click", {})
 
     def press(self, *names):
-        """Presses keys by name, where the focus is."""
+        """Presses keys, given by name, in the focused element."""
         actions = []
         for name in names:
             key = KEYS.get(name, name)
@@ -118,7 +118,7 @@ class Browser:
         self.request("POST", "/actions", {"actions": [{"type": "key", "id": "keyboard", "actions": actions}]})
 
     def drag(self, selector, *places):
-        """Presses the mouse at the first place in the element and drags it over the others; places are fractions."""
+        """Presses the mouse at the first place in the element and drags it over the others. Places are fractions."""
         box = self.run("const e = document.querySelector(arguments[0]); e.scrollIntoView({block: 'center'});"
                        "const r = e.getBoundingClientRect(); return [r.left, r.top, r.width, r.height];", selector)
         points = [(round(box[0] + x * box[2]), round(box[1] + y * box[3])) for x, y in places]
@@ -132,7 +132,7 @@ class Browser:
         return base64.b64decode(self.request("GET", path))
 
     def whole_page(self):
-        """The page in all its height, beyond the window."""
+        """Takes a picture of the whole page, beyond the window."""
         self.run("window.scrollTo(0, 0);")
         width, height = self.run("return [innerWidth, document.documentElement.scrollHeight];")
         picture = self.devtools("Page.captureScreenshot", format="png", captureBeyondViewport=True,
@@ -140,7 +140,7 @@ class Browser:
         return base64.b64decode(picture["data"])
 
     def resize(self, width, height):
-        """The page's own size, also below the smallest window that the browser makes."""
+        """Sets the page's size, also below that of the browser's smallest window."""
         self.devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
     def set_dark(self, dark):
@@ -148,5 +148,5 @@ class Browser:
                       features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 
     def log(self, kind):
-        """What was logged since the last time."""
+        """Returns the log since the last call."""
         return self.request("POST", "/se/log", {"type": kind})

@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-// A free body with more keys, `more` being `, "key": value ...` or nothing.
+// Returns a free body with more keys; `more` is `, "key": value ...` or empty.
 std::string body_with(const std::string& more) {
   return R"({"inertia": [1, 2, 3], "dt": 0.5, "duration": 10)" + more + "}";
 }

@@ -35,7 +35,7 @@ TEST(Drive, HasRotorsWhereAnythingTurnsOne) {
   EXPECT_FALSE(with_spring.is_torque_free());
 }
 
-// The torque is the descent of the potential along each turn.
+// The torque is minus the derivative of the potential along each turn.
 TEST(PotentialEnergy, BelongsToTheTorqueOfItsLaw) {
   const Placement body{Quaternion(0.5, -0.1, 0.7, 0.3).normalized(), {3, -2, 1}, {1, 2, 3}, 2.0};
   constexpr double kTurn = 1e-5;

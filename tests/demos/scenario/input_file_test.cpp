@@ -1,4 +1,4 @@
-// Files that are not what they seem.
+// Files that are not what they seem to be.
 #include "scenario/input_file.h"
 
 #include <fcntl.h>
@@ -48,7 +48,7 @@ TEST_F(InputFile, ThatIsNeitherARegularFileNorAPipeIsRefused) {
   EXPECT_THAT([&] { open_regular_file(pipe_); }, ThrowsMessage<InputFileError>("not a regular file"));
 }
 
-// Its size is said to be 0.
+// Its reported size is 0.
 TEST_F(InputFile, OfTheKernelIsReadUpToTheLimitToo) {
   const std::string file = "/proc/self/pagemap";
   if (!std::ifstream(file).get()) GTEST_SKIP() << "no " << file;
@@ -58,7 +58,7 @@ TEST_F(InputFile, OfTheKernelIsReadUpToTheLimitToo) {
 
 TEST_F(InputFile, MayBeAPipeThatIsWrittenLater) {
   const std::future<void> writer = std::async(std::launch::async, [&] {
-    std::ofstream stream(pipe_);  // waits for the reader
+    std::ofstream stream(pipe_);  // blocks until there is a reader
     stream << "first " << std::flush;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     stream << "second";
@@ -71,7 +71,7 @@ TEST_F(InputFile, ThatIsAPipeIsNotWaitedForForEver) {
     EXPECT_THAT([&] { read_text_file(pipe_, 100, std::chrono::milliseconds(50)); },
                 ThrowsMessage<InputFileError>("a pipe that was not closed within 0.05 s"));
   };
-  expect_no_end();  // nobody writes
+  expect_no_end();  // there is no writer
   const int silent = ::open(pipe_.c_str(), O_RDWR);
   expect_no_end();
   EXPECT_EQ(::write(silent, "a", 1), 1);

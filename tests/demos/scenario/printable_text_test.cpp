@@ -1,4 +1,4 @@
-// Text of others made safe to show.
+// Escapes untrusted text.
 #include "scenario/printable_text.h"
 
 #include <gtest/gtest.h>

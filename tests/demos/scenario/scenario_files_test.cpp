@@ -1,4 +1,4 @@
-// The files in demos/scenarios hold what their descriptions say.
+// The files in demos/scenarios contain what their descriptions say.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -25,7 +25,7 @@ std::string text_of(const Range& range) {
   return text_of(range.lowest) + " to " + text_of(range.highest);
 }
 
-/// Visits the keys of an object, and of the objects in it, to write a row of Markdown about each.
+/// Visits the keys of an object, and of its nested objects, to write a row of Markdown for each.
 class KeyDocumentation {
  public:
   KeyDocumentation(std::string object, std::vector<std::string>& rows)

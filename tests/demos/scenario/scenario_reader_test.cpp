@@ -12,7 +12,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// A free body with more keys, `more` being `, "key": value ...` or nothing.
+// Returns a free body with more keys; `more` is `, "key": value ...` or empty.
 std::string body_with(const std::string& more) {
   return R"({"inertia": [1, 2, 3], "dt": 0.5, "duration": 10)" + more + "}";
 }
@@ -110,7 +110,7 @@ TEST(ScenarioReader, FindsWhatTheWriterWrote) {
   EXPECT_EQ(scenario_json(parse_scenario(defaults, "b.json")).dump(), defaults);
 }
 
-// The quaternion of unit length that this becomes would change in the last bit if it were normalized again.
+// Normalizing the resulting unit quaternion again would change its last bit.
 TEST(ScenarioReader, FindsTheSameOrientationAgain) {
   const std::string written =
       scenario_json(

@@ -21,7 +21,7 @@ CommandResult run_viewer(const std::vector<std::string>& arguments) {
       .wait();
 }
 
-/// Colours as 0xRRGGBB, and how many pixels have each.
+/// The number of pixels of each colour, 0xRRGGBB.
 struct Picture {
   int width = 0;
   int height = 0;
@@ -44,14 +44,14 @@ Picture read_picture(const std::filesystem::path& file) {
   return picture;
 }
 
-/// Returns the arguments that make the kept pictures. To make one anew, give them to polhode_viewer.
+/// Returns the arguments for the kept pictures. Pass them to polhode_viewer to make new ones.
 std::vector<std::string> golden_arguments(const std::string& scenario, const std::string& file) {
   return {"--scenario", scenario,      "--contender",  "exact", "--contender", "matrix",
           "--at",       "0.25",        "--width",      "640",   "--height",    "320",
           "--teaching", "--no-panels", "--screenshot", file};
 }
 
-/// Returns the part of the pixels that differ by more than edges that are smoothed in another way.
+/// Returns the fraction of pixels that differ by more than antialiasing can explain.
 double part_that_differs(const Picture& a, const Picture& b) {
   constexpr int kMostOfAChannel = 48;
   int differing = 0;
@@ -90,7 +90,7 @@ TEST_P(PictureOf, AScenarioIsLikeTheOneThatIsKept) {
   const Picture drawn = read_picture(directory / "out.png");
   const Picture kept = read_picture(std::string(POLHODE_VIEWER_PICTURES) + "/" + GetParam() + ".png");
   ASSERT_EQ(drawn.colors.size(), kept.colors.size());
-  EXPECT_LT(part_that_differs(drawn, kept), 0.01);  // measured 0 where they were made
+  EXPECT_LT(part_that_differs(drawn, kept), 0.01);  // measured 0 on the machine where they were made
 }
 
 INSTANTIATE_TEST_SUITE_P(Viewer, PictureOf,

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# Uses every control of polhode_viewer's panel with a mouse, and looks at the files that it leaves.
+# Uses every control of polhode_viewer's panel with a mouse, and checks the files that it writes.
 #   every_control.sh VIEWER
 set -euo pipefail
 # shellcheck source=tests/demos/viewer/in_a_window.sh
 source "$(dirname "$0")/in_a_window.sh"
 
-click() { # CONTROL... where the panel has it, in pixels
+click() { # CONTROL..., by its position in the panel, in pixels
   for control in "$@"; do
     # shellcheck disable=SC2086 # two numbers
     xdotool mousemove ${place[$control]} mousedown 1
@@ -39,7 +39,7 @@ declare -A place=([scenarios]="165 41" [fast_spinner]="60 149" [run]="40 106" [s
   [recording_file]="100 898" [record]="236 898")
 
 cd "$directory"
-# Hardly wider than the panel, so that a frame takes no time to draw and each click is seen by one.
+# Hardly wider than the panel, so that frames are drawn fast and none misses a click.
 open_viewer --contender exact --width 340 --height 980 --record closed.txt
 click step step step step_back teaching follow slower faster faster
 click matrix bullet matrix step step write_csv write_png record

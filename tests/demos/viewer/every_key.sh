@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Presses every key of polhode_viewer in a window, and looks at the recordings that it leaves.
+# Presses every key of polhode_viewer in a window, and checks the recordings that it writes.
 #   every_key.sh VIEWER
 set -euo pipefail
 # shellcheck source=tests/demos/viewer/in_a_window.sh

@@ -1,4 +1,4 @@
-// Run by CMake: exit code 0 if this machine gives an OpenGL 3.3 context without a display.
+// Run by CMake: returns exit code 0 if this machine has an OpenGL 3.3 context without a display.
 #include <exception>
 
 #include "viewer/graphics/headless_context.h"

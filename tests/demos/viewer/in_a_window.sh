@@ -1,4 +1,4 @@
-# What tests of polhode_viewer in a window share, on a display of its own; to be sourced, with the viewer's path as $1.
+# Shared parts of the tests of polhode_viewer in a window, on their own display. Source it with the viewer's path as $1.
 viewer=$1
 directory=$(mktemp -d)
 cleanup() {
@@ -41,12 +41,12 @@ press() { # KEY...
 
 close_viewer() {
   press Escape
-  wait "$viewer_process" # its exit code is ours
+  wait "$viewer_process" # returns its exit code
   viewer_process=
 }
 
 expect_steps() { # RECORDING LEAST MOST
-  local steps=$(($(wc -l <"$1") - 2)) # without header and start
+  local steps=$(($(wc -l <"$1") - 2)) # without the header and the start
   if [ "$steps" -lt "$2" ] || [ "$steps" -gt "$3" ]; then
     echo "$(basename "$1"): $steps steps, expected $2 to $3" >&2
     exit 1

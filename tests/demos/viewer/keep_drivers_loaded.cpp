@@ -1,5 +1,5 @@
-// Linked into what draws under a leak checker: Mesa's drivers keep memory in globals of theirs, which would
-// look lost once EGL has unloaded them.
+// Linked into programs that draw under a leak checker: memory in globals of Mesa's drivers would look lost
+// after EGL has unloaded them.
 extern "C" int dlclose(void*) {
   return 0;
 }

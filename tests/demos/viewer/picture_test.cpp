@@ -1,4 +1,4 @@
-// The mathematics of the picture: camera, grid, arrows, curves, Poinsot's ellipsoid.
+// The geometry of the picture: camera, grid, arrows, curves, Poinsot's ellipsoid.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ TEST(Arrows, AreTheAxesOmegaAndMomentum) {
   ASSERT_EQ(arrows.size(), 5u);
   EXPECT_LT(arrows[0].along_W.cross(sample.state.R_WB.col(0)).norm(), 1e-15);
   EXPECT_LT(arrows[3].along_W.normalized().cross(sample.state.omega_W.normalized()).norm(), 1e-15);
-  EXPECT_NEAR(arrows[4].along_W.norm(), 1.3 * 0.5, 1e-12);  // |L| is what it was
+  EXPECT_NEAR(arrows[4].along_W.norm(), 1.3 * 0.5, 1e-12);  // |L| is unchanged
 }
 
 TEST(Arrows, ShowTheMomentumOfRotorsToo) {

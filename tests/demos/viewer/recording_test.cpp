@@ -1,4 +1,4 @@
-// A run in a file, and again to the bit.
+// A run is recorded in a file and replayed to the bit.
 #include "viewer/model/recording.h"
 
 #include <gmock/gmock.h>

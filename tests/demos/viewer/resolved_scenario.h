@@ -7,7 +7,7 @@
 
 namespace polhode::demos {
 
-/// Reads one of the demos' scenarios, with the inertia of its body's shape.
+/// Reads one of the demos' scenarios and fills in its body's inertia.
 inline Scenario resolved_scenario(const std::string& name) {
   return resolved(scenario_file(name));
 }

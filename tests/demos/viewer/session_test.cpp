@@ -20,7 +20,7 @@ constexpr std::chrono::seconds kPlenty{60};
 TEST(PlaybackClock, CountsRealTimeTimesTheSpeed) {
   PlaybackClock clock;
   EXPECT_EQ(clock.steps_due(0.05, 0.02), 2);
-  EXPECT_EQ(clock.steps_due(0.01, 0.02), 1);  // with what was left
+  EXPECT_EQ(clock.steps_due(0.01, 0.02), 1);  // with the fraction kept
   clock.faster();
   EXPECT_EQ(clock.steps_due(0.05, 0.02), 5);
   clock.slower();
@@ -113,7 +113,7 @@ TEST(Session, StartsOverWithChangesOrSaysWhatIsWrongWithThem) {
   changes.inertia_B.x() = -1.0;
   EXPECT_THROW(changed(session.simulation().scenario(), changes), std::invalid_argument);
   changes.inertia_B.x() = 1.0;
-  changes.omega_W = {9e8, 9e8, 0};  // each may be, together they are too fast
+  changes.omega_W = {9e8, 9e8, 0};  // each is valid, together they are too fast
   session.restart(changed(session.simulation().scenario(), changes), session.contenders(), "changed");
   EXPECT_THAT(session.notice(), HasSubstr("not changed: "));
   EXPECT_EQ(session.simulation().run(0).start().state.omega_W.z(), 7.0);

@@ -1,4 +1,4 @@
-// The viewer's model without a window: lockstep, steps back, divergence, bounds.
+// The viewer's model without a window: lockstep, steps back, divergence, limits.
 #include "viewer/model/simulation.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(Simulation, ShowsTheOthersOfAMultibodysWorld) {
   ASSERT_EQ(simulation.shown(1).others.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i) {
     const Pose& other = simulation.shown(1).others[i];
-    // They fall freely so far.
+    // The bodies still fall freely.
     EXPECT_LT((other.position_W - simulation.shown(0).others[i].position_W).norm(),
               1e-12);  // measured 1.6e-20
     EXPECT_GT((other.R_WB - simulation.run(1).history().at(0).others[i].R_WB).norm(),

@@ -1,5 +1,5 @@
-// Whatever is wrong with what polhode_workprecision is given: exit 2, one line on stderr that says what is
-// valid, no file.
+// Bad input of polhode_workprecision gives exit code 2, one line on stderr that says what is valid, and no
+// file.
 #include <gmock/gmock.h>
 
 #include "demos/workprecision/tool.h"
@@ -11,8 +11,8 @@ using testing::HasSubstr;
 
 struct BadOptions {
   std::string what;
-  std::vector<std::string> arguments;  ///< DIR stands for a directory of the test's own
-  std::string valid;                   ///< what the message must say
+  std::vector<std::string> arguments;  ///< DIR stands for the test's directory
+  std::string valid;                   ///< what the message must contain
 };
 
 std::ostream& operator<<(std::ostream& stream, const BadOptions& options) {

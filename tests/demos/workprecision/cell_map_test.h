@@ -13,12 +13,12 @@
 
 namespace polhode::demos {
 
-/// A subcommand that maps cells, as a process: whole, refused, or under way.
+/// Runs a subcommand that maps cells as a process: to the end, refused, or interrupted.
 class CellMapTest : public testing::Test {
  protected:
   using Texts = std::vector<std::string>;
 
-  /// `command` makes a map of a moment, `long_run` makes it take about a second with one thread.
+  /// `command` makes a small map; `long_run` makes it take about a second with one thread.
   CellMapTest(Texts command, Texts long_run) : command_(std::move(command)), long_run_(std::move(long_run)) {}
 
   Texts arguments(const std::string& file, const Texts& more = {}) const {
@@ -47,7 +47,7 @@ class CellMapTest : public testing::Test {
     return result.standard_error;
   }
 
-  /// The long run on one thread; some of its cells are in the journal.
+  /// Starts the long run on one thread and returns when some of its cells are in the journal.
   std::unique_ptr<Command> under_way(const std::string& file) const {
     Texts more = long_run_;
     more.insert(more.end(), {"--threads", "1"});

@@ -1,4 +1,4 @@
-// polhode_workprecision curve and cost, as a process.
+// Runs polhode_workprecision curve and cost as processes.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class WorkPrecision : public testing::Test {
     return json::parse(read_file(file("out.json")));
   }
 
-  // The point of the smallest time step.
+  // Returns the point of the smallest time step.
   static json last_point(const json& curve, const std::string& contender) {
     json last;
     for (const json& point : curve["points"]) {
@@ -116,7 +116,7 @@ TEST_F(WorkPrecision, MeasuresTheCostOfEveryContenderRelativeToBulletsDefault) {
   }
   const json& baseline = costs["contenders"][built_in_schemes().size() + 3];
   EXPECT_EQ(baseline["name"], "bullet:implicit_body");
-  // It is timed against itself. The tolerance is wide because other programs may run beside this test;
+  // It is compared with itself. The tolerance is wide because other programs may run at the same time;
   // measured 0.997 to 1.001
   EXPECT_NEAR(baseline["free_ratio_to_implicit_body"].get<double>(), 1.0, 0.5);
   expect_documented_columns(read_file(file("out.csv")));

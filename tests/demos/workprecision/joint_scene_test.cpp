@@ -1,5 +1,5 @@
-// A joint's error and energy, on scenes that are disturbed by a known amount, and Bullet's plain integration
-// of each, which does not involve the library.
+// Errors and energies of scenes that are disturbed by a known amount, and Bullet's plain integration of each
+// scene, which does not involve the library.
 #include "workprecision/joints/joint_scene.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kDt = 1.0 / 60.0;
 constexpr bool kDouble = sizeof(btScalar) == sizeof(double);
-// Poses are read back from Bullet's numbers: measured 2e-16 and 9e-8 rad.
+// Poses are read back from Bullet: measured 2e-16 and 9e-8 rad.
 constexpr double kReading = kDouble ? 1e-14 : 2e-6;
 
 std::unique_ptr<JointScene> scene(JointKind kind, double omega_dt, double ratio = 4.0, double tilt = 0.5,
@@ -35,7 +35,7 @@ void turn(btRigidBody& body, const Vector3& angle_W) {
   body.setCenterOfMassTransform(btTransform(to_bullet(q_WB), body.getCenterOfMassPosition()));
 }
 
-// Some axis that is perpendicular to the axis of spin.
+// Returns an axis perpendicular to the axis of spin.
 Vector3 aside(const btRigidBody& body) {
   return from_bullet(body.getAngularVelocity()).unitOrthogonal();
 }
@@ -90,8 +90,8 @@ TEST(JointScene, MeasuresASpringsSwingBeyondItsStart) {
 
 TEST(JointScene, CountsTheEnergyOfAllMotion) {
   const double speed = 0.3 / kDt;
-  // Ratio 1: every moment is 0.1 kg m^2, of the second welded body 0.2. Arms of 0.25 and 0.3 m have the
-  // cosine 8/9 with the axis of spin.
+  // At ratio 1 every moment is 0.1 kg m^2, that of the second welded body 0.2. Arms of 0.25 and 0.3 m have
+  // the cosine 8/9 with the axis of spin.
   const double across = 1.0 - 64.0 / 81.0;
   // Measured 2e-16 and 2e-8 of the energy.
   const double relative = kDouble ? 1e-14 : 1e-6;
@@ -126,7 +126,8 @@ TEST(JointScene, DivergesWhenTheLibrarySaysSo) {
 
 TEST(JointScene, IsHeldByBulletWithoutAGyroscopicTerm) {
   for (const double omega_dt : {0.02, 0.3, 1.5}) {
-    // A hinge, a motor and a lock turn about a fixed axis, without the term: measured 6e-15 and 2e-6 rad.
+    // Hinge, motor and lock turn about a fixed axis, without the gyroscopic term: measured 6e-15 and 2e-6
+    // rad.
     const double tolerance = kDouble ? 1e-13 : 1e-5;
     for (const JointKind kind : {JointKind::hinge, JointKind::lock}) {
       const JointMotion held = motion(kind, omega_dt, 1.0);
@@ -176,7 +177,7 @@ TEST(JointMotionAfterAStep, MeasuresNothingInTheFirstSecond) {
   EXPECT_GT(follow(*scene(JointKind::hinge, 0.1), kDt, 61).worst_energy_gain, 0.9);
 }
 
-// One hinge, one motor, of a scheme and Bullet's four modes.
+// A hinge and a motor, with a scheme and Bullet's four modes.
 class JointsVerdictOf : public testing::Test {
  protected:
   JointsVerdictOf() {

@@ -1,5 +1,5 @@
-// polhode_workprecision joints, as a process: the same bytes whoever computes them, and its verdict counted
-// again from its CSV.
+// Runs polhode_workprecision joints as a process: the bytes do not depend on who computes them, and a count
+// in the CSV confirms the verdict.
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -18,7 +18,7 @@ constexpr std::int64_t kCells = 6 * 4 * 2 * 2;  // of each contender
 
 class JointsMap : public CellMapTest {
  protected:
-  // matrix gains energy wherever something acts, so that there is something to count.
+  // matrix gains energy wherever something acts, so the counts are not 0.
   JointsMap()
       : CellMapTest({"joints", "--scheme", "exact", "--scheme", "matrix", "--omega-dt", "0.05", "2", "4",
                      "--inertia-ratio", "1.5", "20", "2", "--tilt", "0.1", "0.8", "2", "--time", "2"},
@@ -106,7 +106,8 @@ TEST_F(JointsMap, GoesOnWhereItWasKilled) {
 
 TEST_F(JointsMap, BelievesItsJournalAndIgnoresATornLine) {
   const std::string clean = map("clean.csv");
-  // Values that no computation gives: of a hinge, of one that diverged, and of a motor (cell 16 on).
+  // Values that no computation gives: for a hinge, for a cell that diverged, and for a motor (from cell 16
+  // on).
   const std::string planted = "1 0.5 3.25 0 0\n3 0 0 0 17\n16 0.5 0 0.125 0\n";
   for (const char* torn : {"", "2 0.5 0.25", "2 0.5 0.25 0\n", "2 0.5 0.25 x 0\n", "99999 1 1 1 0\n"}) {
     write_file(directory_ / "out.csv.partial", first_line_of_journal() + planted + torn);

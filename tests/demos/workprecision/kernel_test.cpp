@@ -1,4 +1,4 @@
-// The bare kernels are what a world does to a free body, and nothing less.
+// The bare kernels do exactly what a world does to a free body.
 #include "workprecision/kernel.h"
 
 #include <gtest/gtest.h>

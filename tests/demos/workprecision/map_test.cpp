@@ -1,5 +1,5 @@
-// polhode_workprecision map, as a process: the same bytes whoever computes them, and however often it is
-// killed.
+// Runs polhode_workprecision map as a process: the bytes do not depend on who computes them, or on kills and
+// resumes.
 #include <sys/stat.h>
 
 #include <nlohmann/json.hpp>
@@ -76,7 +76,7 @@ TEST_F(StabilityMap, BelievesItsJournalAndIgnoresATornLine) {
 
 TEST_F(StabilityMap, AppendsNothingToATornLine) {
   const std::string whole = map("whole.csv", long_run_);
-  // Before the line of cell 0 this would make it cell 10's.
+  // Before the line of cell 0 this digit would make it cell 10's.
   write_file(directory_ / "out.csv.partial", first_line_of_journal(100000) + "1");
   const auto killed = under_way("out.csv");
   killed->send_signal(SIGKILL);
@@ -110,7 +110,7 @@ TEST_F(StabilityMap, RefusesAFileThatIsNoJournal) {
   EXPECT_EQ(read_file(directory_ / "out.csv.partial"), "dear diary\n");
 }
 
-// 2 * 200 * 200 cells, as an application of some hours may leave them.
+// 2 * 200 * 200 cells, as a program that ran for hours may leave them.
 TEST_F(StabilityMap, GoesOnFromAJournalOfMegabytes) {
   const Texts large = {"--omega-dt", "0.05", "2", "200", "--inertia-ratio", "1.2", "5", "200"};
   command_.resize(5);

@@ -1,4 +1,4 @@
-// What the scenarios of torque laws and rotors show, against theory.
+// Compares the scenarios of torque laws and rotors with theory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ Vector3 axis_W(const Sample& sample, int axis) {
   return sample.state.q_WB * Vector3::Unit(axis);
 }
 
-/// The cosine of the angle between an axis of the body and L.
+/// Returns the cosine of the angle between an axis of the body and L.
 double cosine_to_L(const Sample& sample, int axis) {
   return axis_W(sample, axis).dot(sample.state.L_W.normalized());
 }
@@ -31,12 +31,12 @@ double signed_angle(const Vector3& from, const Vector3& to, const Vector3& about
   return std::atan2(from.cross(to).dot(about), from.dot(to));
 }
 
-// The angle of the satellite's length from the vertical, in the plane of the orbit.
+// Returns the angle of the satellite's long axis from the vertical, in the plane of the orbit.
 double pitch(const Sample& sample) {
   return signed_angle(sample.position_W.normalized(), axis_W(sample, 0), Vector3::UnitZ());
 }
 
-/// From the first to the last passage through 0, rad/s.
+/// Returns the frequency from the first to the last passage through 0, rad/s.
 double frequency(const std::vector<Sample>& samples) {
   std::vector<double> passages_s;
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -90,7 +90,7 @@ TEST(ReactionWheelsScenario, TurnsTheSatelliteByARightAngleAndStopsIt) {
   const Sample& stopped = samples[15 * 20];
   EXPECT_NEAR(stopped.t_s, 15.0, 1e-9);
   EXPECT_NEAR(samples.front().state.omega_W.norm(), 1.0, 1e-3);
-  EXPECT_LT(stopped.state.omega_W.norm(), 0.05);         // measured 0.034: what it tumbled aside
+  EXPECT_LT(stopped.state.omega_W.norm(), 0.05);         // measured 0.034: the initial transverse spin
   EXPECT_LT(samples.back().state.omega_W.norm(), 0.05);  // measured 0.038
   EXPECT_NEAR(stopped.state.q_WB.angularDistance(samples.back().state.q_WB), M_PI / 2,
               0.05);  // measured 0.016
@@ -103,7 +103,7 @@ TEST(Explorer1Scenario, EndsAboutTheAxisOfGreatestInertia) {
   EXPECT_GT(std::abs(cosine_to_L(exact.back(), 1)), 0.999);  // measured 0.9999
   const double end_rad_s = exact.front().state.L_W.norm() / (scenario.body.inertia_B->y() + 0.05);
   EXPECT_NEAR(exact.back().state.omega_W.norm(), end_rad_s, 0.001 * end_rad_s);  // measured 1.2e-4 rad/s
-  // The energy that Bullet's implicit term takes hides what the damper does.
+  // The energy loss of Bullet's implicit term hides the effect of the damper.
   EXPECT_GT(std::abs(cosine_to_L(samples_of(scenario, "bullet:implicit_body").back(), 2)),
             0.999);  // measured 1
 }

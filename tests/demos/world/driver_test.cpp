@@ -60,7 +60,8 @@ TEST_P(EveryContenderWithRotors, StartsWithThem) {
   const Vector3 body_momentum_W =
       body.q_WB * body.inertia_B->cwiseProduct(body.q_WB.conjugate() * body.omega_W);
   const Vector3 L_W = body_momentum_W + body.q_WB * body.drive.rotor_momentum_B;
-  // Measured in single, in the worst of contenders, in units of the rounding: 1.2, 2.3 of 4.5, 4.4 of 36 and 0.75.
+  // Measured in single precision, for the worst contender, in units of the rounding: 1.2, 2.3 of 4.5, 4.4 of
+  // 36 and 0.75.
   EXPECT_LT((start.omega_W - body.omega_W).norm(), 4 * kEpsilon);
   EXPECT_LT((start.rotor_momentum_B - body.drive.rotor_momentum_B).norm(), 8 * kEpsilon * L_W.norm());
   EXPECT_LT((start.L_W - L_W).norm(), 8 * kEpsilon * L_W.norm());
@@ -68,7 +69,7 @@ TEST_P(EveryContenderWithRotors, StartsWithThem) {
   EXPECT_NEAR(start.energy(), 0.5 * body.omega_W.dot(body_momentum_W), 16 * kEpsilon);
 }
 
-// Against the oracle: the wheels of Bullet's contenders are the rotors of the library.
+// The wheels of Bullet's contenders act like the rotors of the library, compared with the oracle.
 TEST_P(EveryContenderWithRotors, ConvergesToTheExactMotion) {
   const double error = end_of(with_rotors(1.0 / 512, 1.0), GetParam()).attitude_error_rad.value();
   if (GetParam() == "bullet:none") {
@@ -120,7 +121,7 @@ TEST_P(EveryLaw, DrivesBulletsBodiesAsTheLibrarys) {
   }
 }
 
-// An elliptic orbit: the planet pulls.
+// An elliptic orbit, on which the planet's pull keeps the body.
 TEST(Driver, KeepsTheEnergyOfAnOrbit) {
   const Scenario scenario = scenario_of(
       R"("inertia": [1e-3, 2e-3, 3e-3], "position": [10, 0, 0], "linear_velocity": [0, 2.5, 0], "dt": 0.01, "duration": 40,

@@ -47,7 +47,7 @@ TEST(Run, StopsASchemeWhereItDiverges) {
 }
 
 TEST(Run, StopsBulletWhereItDiverges) {
-  // A constant torque on a light body: past 1e9 rad/s within the run, in finite numbers.
+  // A constant torque on a light body takes it past 1e9 rad/s within the run, with finite numbers.
   const Scenario scenario = parse_scenario(
       R"({"inertia": [1e-3, 1e-3, 1e-3], "torque": [0, 0, 1e6], "dt": 0.1, "duration": 100})", "torque.json");
   std::vector<Sample> samples;
@@ -58,8 +58,8 @@ TEST(Run, StopsBulletWhereItDiverges) {
   EXPECT_EQ(samples.back().step, figures.steps);
 }
 
-// An Euler turn of a sphere takes 2 atan(omega dt / 2) for omega dt. Tenths are rounded in the inertia, the
-// orientation, the velocity and the time step: none of that is an error of the contender's.
+// An Euler step of a sphere turns it by 2 atan(omega dt / 2) instead of omega dt. Tenths are rounded in
+// inertia, orientation, velocity and time step; this rounding does not count as an error of the contender.
 TEST(Run, MeasuresTheAttitudeAgainstTheExactMotionOfTheBodyAsItIs) {
   const Scenario scenario = parse_scenario(
       R"({"inertia": [0.1, 0.1, 0.1], "orientation": [0.1, 0.2, 0.3, 0.4], "angular_velocity": [1.1, 2.2, 3.3],

@@ -18,7 +18,7 @@
 namespace polhode::demos {
 namespace {
 
-// The relative error of a number of the scenario once it is in Bullet's precision.
+// The relative error of a number of the scenario in Bullet's precision.
 const double kRounding = static_cast<double>(SIMD_EPSILON);
 
 const btRigidBody& rigid_body(const btCollisionObject& object) {
@@ -104,7 +104,7 @@ TEST_P(EveryContender, DoesNotFallAsleep) {
   EXPECT_NEAR(logarithm(world.sample()->state.q_WB).z(), 0.1, 1e-5);  // measured 8.4e-7: Euler turns
 }
 
-// The viewer draws this.
+// The viewer draws the collider.
 TEST(ScenarioWorld, HasAMultibodysColliderWhereTheSampleSays) {
   ScenarioWorld world(scenario_file("heavy_top"), contender("bullet:multibody"));
   for (int step = 0; step < 10; ++step) {
@@ -156,8 +156,8 @@ TEST(ScenarioWorld, ReBasesACompoundToItsPrincipalAxes) {
   EXPECT_LT(inertia_B.x(), inertia_B.z()) << "x is the middle axis";
   EXPECT_EQ(scenario.body.omega_W, Vector3(10, 0.1, 0));
   EXPECT_EQ(scenario.dt, 1.0 / 60.0);
-  // Computed by hand: a bar of 1 kg, half extents 0.5, 0.1, 0.1, and a stem of 0.8 kg, 0.1, 0.4, 0.1, at 0.5
-  // m of each other.
+  // Computed by hand: a bar of 1 kg, half extents 0.5, 0.1, 0.1, and a stem of 0.8 kg, 0.1, 0.4, 0.1, 0.5 m
+  // apart.
   const double between = 1.0 * 0.8 / 1.8 * 0.25;
   const Vector3 by_hand((0.02 + 0.8 * 0.17) / 3.0 + between, (0.26 + 0.8 * 0.02) / 3.0,
                         (0.26 + 0.8 * 0.17) / 3.0 + between);
@@ -181,7 +181,7 @@ TEST(ScenarioWorld, HoldsATopByItsTip) {
   }
 }
 
-// Bullet limits the impulse of a multibody's constraint where nothing else is said; this one takes 400 N s a step.
+// Bullet limits the impulse of a multibody's constraint by default; this constraint takes 400 N s a step.
 TEST(ScenarioWorld, HoldsAHeavyMultibodyByItsPoint) {
   const Scenario scenario = parse_scenario(
       R"({"inertia": [1e4, 1e4, 1e4], "mass": 1e4, "gravity": [0, 0, -9.81], "dt": 0.004, "duration": 1,
@@ -303,7 +303,7 @@ TEST(DrawnBody, IsTheShapeInTheBodysAxes) {
   ASSERT_EQ(box.boxes.size(), 1u);
   EXPECT_EQ(box.boxes[0].half_extents, Vector3(1, 2, 3));
   EXPECT_TRUE(box.boxes[0].at_B.isZero(0.0));
-  // A dumb-bell along x, of which the left end is three times as heavy.
+  // A dumb-bell along x whose left end is three times as heavy.
   const DrawnBody bell = drawn(R"({"type": "compound", "parts": [
       {"half_extents": [0.1, 0.2, 0.3], "at": [-1, 0, 0], "mass": 3},
       {"half_extents": [0.1, 0.2, 0.3], "at": [1, 0, 0], "mass": 1}]})");
