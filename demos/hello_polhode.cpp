@@ -1,11 +1,11 @@
-// Bullet's hello world, its bodies rotated by Polhode. Build it with `polhode::bullet` linked.
+// Bullet's hello world with bodies rotated by Polhode. Link it with `polhode::bullet`.
 #include <btBulletDynamicsCommon.h>
 #include <polhode/bullet/rotation_plugin.h>
 
 #include <cstdio>
 
 int main() {
-  // An ordinary Bullet world. Objects are declared before those that use them, and so destroyed after them.
+  // An ordinary Bullet world. Objects are declared before their users, so that they are destroyed after them.
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broadphase;
@@ -27,14 +27,14 @@ int main() {
   world.addRigidBody(&ground);
   world.addRigidBody(&plate);
 
-  // From here on Polhode rotates every dynamic body of this world by its default scheme, `exact`. The bodies fall, collide
-  // and slide as before. To choose another scheme for one body:
+  // From here on Polhode rotates every dynamic body of this world with its default scheme, `exact`. The bodies
+  // fall, collide and slide as before. To choose another scheme for one body:
   //   plugin.rotation().set_scheme(plate, "quaternion");
   polhode::RotationPlugin plugin(world);
 
   for (int step = 0; step <= 180; ++step) {
     if (step % 15 == 0) {
-      // The library's own record of the body, in double precision even where Bullet is in single.
+      // The library's state of the body, which is in double precision even with single-precision Bullet.
       const polhode::BodyRotation rotation = plugin.rotation().rotation_of(plate);
       const polhode::Quaternion& q = rotation.state.q_WB;
       std::printf("t %.2f s  height %6.3f m  q (w, x, y, z) %6.3f %6.3f %6.3f %6.3f  |L| %.4f kg m^2/s\n",

@@ -1,9 +1,10 @@
-// A rotation scheme of your own, as a library that the demos load:
+// A rotation scheme of your own, in a library that the demos can load:
 //
 //   polhode_compare --scheme-library hello_scheme.so
 //
-// With constant angular momentum L_W the axis of the turn moves with the body. The scheme foretells the orientation for
-// the middle of the step and turns the body about the axis that it finds there (a midpoint rule, order 2):
+// With constant angular momentum L_W the axis of rotation moves with the body. The scheme predicts the
+// orientation in the middle of the step and turns the body about the axis at this orientation (a midpoint
+// rule, order 2):
 //
 //   q_m     = exp((dt/2) I^-1(q_t) L) q_t      (1)
 //   q_{t+1} = exp(dt I^-1(q_m) L) q_t          (2)
@@ -19,7 +20,7 @@ class ExplicitMidpoint final : public polhode::RotationScheme {
   polhode::SchemeDescription description() const noexcept override {
     polhode::SchemeDescription description;
     description.name = "explicit_midpoint";
-    description.summary = "turns about the axis of the middle of the step, foretold by Euler's rule";
+    description.summary = "turns about the axis of the middle of the step, predicted by Euler's rule";
     description.source = "a Runge-Kutta method of order 2 in the exponential map";
     description.fails_when = "a step turns the body by about a radian";
     description.order = 2;
@@ -39,7 +40,7 @@ class ExplicitMidpoint final : public polhode::RotationScheme {
   }
 
  private:
-  // Turns q_WB for `time` at the angular velocity that the body has in the orientation R_WB.
+  // Turns q_WB for `time` with the angular velocity at the orientation R_WB.
   static polhode::Quaternion turned(const polhode::Quaternion& q_WB, const polhode::Matrix3& R_WB,
                                     const polhode::StepInput& input, const polhode::Vector3& L_W,
                                     double time) {
