@@ -27,8 +27,8 @@ int main() {
   world.addRigidBody(&ground);
   world.addRigidBody(&plate);
 
-  // From here on Polhode rotates every dynamic body of this world with its default scheme, `exact`. The bodies
-  // fall, collide and slide as before. To choose another scheme for one body:
+  // From here on Polhode rotates every dynamic body of this world with its default scheme, `exact`. The
+  // bodies fall, collide and slide as before. To choose another scheme for one body:
   //   plugin.rotation().set_scheme(plate, "quaternion");
   polhode::RotationPlugin plugin(world);
 
