@@ -25,8 +25,8 @@ void watch_for_interruption();
 /// Returns the signal noted, 0 if there is none.
 int interrupting_signal();
 
-/// Lets throw_if_interrupted ask `check` too, in this thread, while it lives: for a host that has signals of its own,
-/// as Python. `check` may throw anything.
+/// Makes throw_if_interrupted call `check` too, in this thread and during the object's lifetime, for a host
+/// that handles signals itself, such as Python. `check` may throw anything.
 class InterruptionCheck {
  public:
   explicit InterruptionCheck(std::function<void()> check);

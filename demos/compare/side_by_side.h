@@ -9,10 +9,10 @@
 
 namespace polhode::demos {
 
-/// Sees every sample of each contender in turn, the start included. An exception from it ends the runs.
+/// Gets every sample of each contender in turn, the start included. An exception ends the runs.
 using ContenderObserver = std::function<void(std::size_t contender, const Sample& sample)>;
 
-/// Runs the scenario with each contender. `command` is named in the report.
+/// Runs the scenario with each contender. The report shows `command`.
 /// @throws std::invalid_argument as resolved
 Report run_side_by_side(const Scenario& scenario, const ChosenContenders& chosen, const std::string& command,
                         const ContenderObserver& observe);

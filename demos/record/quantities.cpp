@@ -13,8 +13,8 @@ using Value = std::optional<double>;
 constexpr const char* kNotInCsv = "";
 constexpr const char* kNoPlot = "";
 
-// Returns one term of L.omega/2 with omega = R I^-1 R^T L, and L without the rotors. Valid for a basis that is not a
-// rotation, too.
+// Returns one term of L.omega/2 with omega = R I^-1 R^T L, and L without the rotors. Valid even if the basis
+// is not a rotation.
 double axis_energy_J(const Instant& at, int axis) {
   const RotationState& state = at.sample.state;
   const double L = state.R_WB.col(axis).dot(state.L_W) - state.rotor_momentum_B[axis];

@@ -4,9 +4,9 @@
 #include "scenario/drive_keys.h"
 #include "scenario/scenario.h"
 
-/// The keys of a scenario file, each once, in the order in which they are written. A visitor reads them into the
-/// object (scenario_reader.cpp), writes them (scenario_writer.cpp), or compares them with docs/scenario_files.md (a
-/// test). The reader checks conditions on several keys.
+/// The keys of a scenario file, each once, in the order in which they are written. A visitor reads them into
+/// the object (scenario_reader.cpp), writes them (scenario_writer.cpp), or compares them with
+/// docs/scenario_files.md (a test). The reader checks conditions on several keys.
 namespace polhode::demos {
 
 inline constexpr Range kMass{1e-9, 1e9};
