@@ -48,7 +48,7 @@ class Scenario:
         polhode.Scenario("my/own.json")                 # a file
         polhode.Scenario({"inertia": [1, 2, 3], "angular_velocity": [3, 2, 4], "dt": 0.01, "duration": 20})
 
-    The keys are those of the scenario files, in SI units, which demos/README.md documents. Raises ValueError
+    The keys are those of the scenario files, in SI units, which docs/scenario_files.md documents. Raises ValueError
     that names the key and says what is valid, OSError for a file that cannot be read.
     """
 
