@@ -160,7 +160,8 @@ TEST_F(StabilityMap, TakesNoOtherCellsFromAHostileJournal) {
 
 TEST_F(StabilityMap, RefusesAJournalThatIsNoRegularFile) {
   std::filesystem::create_symlink("/dev/zero", directory_ / "out.csv.partial");
-  EXPECT_THAT(expect_refusal(), HasSubstr("out.csv.partial\": the journal is not a regular file; choose another output file"));
+  EXPECT_THAT(expect_refusal(),
+              HasSubstr("out.csv.partial\": the journal is not a regular file; choose another output file"));
   std::filesystem::remove(directory_ / "out.csv.partial");
   ASSERT_EQ(::mkfifo((directory_ / "out.csv.partial").c_str(), 0600), 0);
   EXPECT_THAT(expect_refusal({"--restart"}), HasSubstr("the journal is not a regular file"));
