@@ -1,6 +1,7 @@
 """Checks the project's Markdown files: links, code blocks and commands.
 
-  documentation_test.py --source FOLDER --build FOLDER --installed FOLDER --compiler PROGRAM [--slow] [-- FLAG...]
+  documentation_test.py --source FOLDER --build FOLDER --installed FOLDER [--compiler PROGRAM] [--generator CMAKE'S]
+                        [--slow] [-- FLAG...]
 
 A comment on the line before a block says what differs from the usual:
 
@@ -135,7 +136,7 @@ class Code(unittest.TestCase):
                     "add_library(my_bullet INTERFACE)\ntarget_link_libraries(my_bullet INTERFACE PkgConfig::bullet)\n"
                     + block.text)
                 configured = subprocess.run(
-                    ["cmake", "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={options.installed}",
+                    ["cmake", "-G", options.generator, "-S", folder, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={options.installed}",
                      f"-DCMAKE_CXX_COMPILER={options.compiler}",
                      f"-DFETCHCONTENT_SOURCE_DIR_POLHODE={options.source}"],
                     capture_output=True, text=True)
@@ -227,6 +228,7 @@ if __name__ == "__main__":
     for name in ("source", "build", "installed"):
         parser.add_argument("--" + name, type=pathlib.Path, required=True)
     parser.add_argument("--compiler", default="g++")
+    parser.add_argument("--generator", default="Ninja")
     parser.add_argument("--slow", action="store_true")
     parser.add_argument("flags", nargs="*")
     options = parser.parse_args()
